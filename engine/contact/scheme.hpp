@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/row.hpp"
+#include "contact/search.hpp"
+#include "run/statistics.hpp"
+
+namespace percuss {
+
+/// The predicted motion that a contact scheme corrects.
+struct PredictedMotion {
+    double dt = 0;        ///< of the step: positions change by dt * change of velocity [time]
+    double kick = 0;      ///< velocities change by kick * acceleration (mean of the last two steps) [time]
+    Node* nodes = nullptr;  ///< predicted positions and velocities; corrected in place
+    const double* inverse_mass = nullptr;  ///< 2 per node, 0 where held, per radian or unit thickness
+    double* impulse = nullptr;             ///< 2 per node; a scheme adds the impulses it puts on nodes
+    std::vector<std::int32_t>* touched = nullptr;  ///< nodes with an impulse; may hold a node more than once
+};
+
+/// One way to keep one pair of surfaces from penetrating. A step calls find, then resolve.
+class PairScheme {
+  public:
+    virtual ~PairScheme() = default;
+    /// Finds the contact rows at the predicted positions.
+    virtual void find(const PredictedMotion& motion) = 0;
+    /// Solves for the contact forces and corrects displacements and velocities.
+    virtual void resolve(PredictedMotion& motion) = 0;
+    /// The rows of this step with their forces, for resultants, work and pictures.
+    [[nodiscard]] virtual std::span<const ContactRow> rows() const = 0;
+    /// Largest penetration left after the correction [length].
+    [[nodiscard]] virtual double penetration_left(const Node* nodes) const = 0;
+    /// Rows whose unrestricted force came out negative in this step.
+    [[nodiscard]] virtual int negative_forces() const = 0;
+    /// Positions were changed from outside: forget what was remembered between steps.
+    virtual void forget() = 0;
+};
+
+/// The scheme that a pair asks for. @param node_count of the mesh.
+[[nodiscard]] std::unique_ptr<PairScheme> make_contact_scheme(const ContactPair& pair, const Mesh& mesh);
+
+}  // namespace percuss

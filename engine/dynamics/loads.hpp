@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dynamics/node.hpp"
+#include "scene/scene.hpp"
+
+namespace percuss {
+
+/// Body forces, pressures and tractions of a scene, as nodal forces per radian (axisymmetric) or unit thickness.
+class Loads {
+  public:
+    Loads() = default;
+    Loads(const Scene& scene, const Mesh& mesh);
+
+    /// No load in the scene: nothing is stored and the step never asks again.
+    [[nodiscard]] bool none() const { return !any_body_force_ && edges_.empty(); }
+    /// Writes the forces at `time` and the present positions, 2 per node [force].
+    void evaluate(const Node* nodes, const std::vector<double>& mass, double time, std::vector<double>& force) const;
+
+  private:
+    struct Span {
+        std::int32_t begin, end;
+        std::array<double, 2> acceleration;
+    };
+    struct LoadedSide {
+        std::int32_t i, j;
+        std::array<double, 2> area;  ///< initial ring area per radian at each end (traction is per initial area)
+    };
+    struct LoadedEdge {
+        std::vector<LoadedSide> sides;
+        EdgeLoad load;
+    };
+    std::vector<Span> bodies_;
+    std::vector<LoadedEdge> edges_;
+    Geometry geometry_ = Geometry::axisymmetric;
+    bool any_body_force_ = false;
+};
+
+/// Velocities that the scene imposes: held directions (axis, constraints) and prescribed motion.
+struct ImposedMotion {
+    struct Prescribed {
+        std::int32_t node;
+        int direction;
+        std::int32_t function;  ///< index into `functions`
+    };
+    std::vector<std::array<bool, 2>> held;  ///< per node: the velocity is imposed, zero or prescribed
+    std::vector<Prescribed> prescribed;
+    std::vector<TimeFunction> functions;
+};
+
+/// @throws nothing; nodes on r = 0 of an axisymmetric mesh are held in r.
+[[nodiscard]] ImposedMotion impose_motion(const Scene& scene, const Mesh& mesh);
+
+}  // namespace percuss

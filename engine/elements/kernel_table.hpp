@@ -1,0 +1,81 @@
+#pragma once
+
+#include <algorithm>
+
+#include "elements/frequency.hpp"
+#include "elements/kernels.hpp"
+#include "elements/quad_mean_dilatation.hpp"
+#include "elements/quad_one_point.hpp"
+#include "elements/triangle.hpp"
+
+/// Instantiates every combination of element, geometry and effects for one instruction set.
+namespace percuss::PERCUSS_ISA {
+
+template <class Element, class Real>
+void run_forces(Batch& batch, const Node* nodes, double dt, int begin, int end, KernelSums& sums) {
+    for (int block = begin; block < end; ++block) {
+        const int filled = batch.filled(block);
+        if (filled == block_lanes) {
+            for (int lane = 0; lane < block_lanes; lane += lanes_of<Real>)
+                Element::template update<Real>(batch, nodes, dt, block, lane, sums);
+        } else {
+            for (int lane = 0; lane < filled; ++lane)
+                Element::template update<double>(batch, nodes, dt, block, lane, sums);
+        }
+    }
+}
+
+template <class Frequency, class Real>
+double run_frequency(const Batch& batch, const Node* nodes, int begin, int end) {
+    double highest = 0;
+    for (int block = begin; block < end; ++block) {
+        const int filled = batch.filled(block);
+        if (filled == block_lanes) {
+            for (int lane = 0; lane < block_lanes; lane += lanes_of<Real>) {
+                double values[lanes_of<Real>];
+                store(values, Frequency::template bound<Real>(batch, nodes, block, lane));
+                for (const double value : values) highest = std::max(highest, value);
+            }
+        } else {
+            for (int lane = 0; lane < filled; ++lane)
+                highest = std::max(highest, Frequency::template bound<double>(batch, nodes, block, lane));
+        }
+    }
+    return highest;
+}
+
+template <class Element, class Frequency, class Real>
+KernelSet kernel_set() {
+    return {&run_forces<Element, Real>, &run_frequency<Frequency, Real>, Element::state_size};
+}
+
+template <class Real, Geometry geometry, bool viscous>
+KernelSet kernel_of_kind(const KernelChoice& choice) {
+    if (choice.kind == ElementKind::quad_mean_dilatation)
+        return kernel_set<QuadMeanDilatation<Elastic, geometry, viscous>, QuadMeanDilatationFrequency<geometry, viscous>,
+                          Real>();
+    if (choice.kind == ElementKind::triangle)
+        return kernel_set<Triangle<Elastic, geometry, viscous>, TriangleFrequency<geometry, viscous>, Real>();
+    if (choice.hourglass)
+        return kernel_set<QuadOnePoint<Elastic, geometry, true, viscous>, QuadOnePointFrequency<geometry, true, viscous>,
+                          Real>();
+    return kernel_set<QuadOnePoint<Elastic, geometry, false, viscous>, QuadOnePointFrequency<geometry, false, viscous>,
+                      Real>();
+}
+
+template <class Real, Geometry geometry>
+KernelSet kernel_of_effects(const KernelChoice& choice) {
+    return choice.viscous ? kernel_of_kind<Real, geometry, true>(choice) : kernel_of_kind<Real, geometry, false>(choice);
+}
+
+template <class Real>
+KernelSet kernel_of_geometry(const KernelChoice& choice) {
+    switch (choice.geometry) {
+        case Geometry::axisymmetric: return kernel_of_effects<Real, Geometry::axisymmetric>(choice);
+        case Geometry::plane_strain: return kernel_of_effects<Real, Geometry::plane_strain>(choice);
+        case Geometry::plane_stress: break;
+    }
+    return kernel_of_effects<Real, Geometry::plane_stress>(choice);
+}
+
+}  // namespace percuss::PERCUSS_ISA

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "dynamics/node.hpp"
+#include "elements/batch.hpp"
+
+/// Arithmetic on several elements at once. `Real` is double (the scalar reference) or a GCC vector of doubles; the same
+/// source serves both, and with contraction off both give the same bits. PERCUSS_ISA names the namespace of the
+/// instruction set a file is compiled for, so that the linker cannot mix code of two instruction sets.
+#ifndef PERCUSS_ISA
+#error "define PERCUSS_ISA before including kernel headers"
+#endif
+
+namespace percuss::PERCUSS_ISA {
+
+using Double4 = double __attribute__((vector_size(32)));
+using Double8 = double __attribute__((vector_size(64)));
+
+template <class Real>
+inline constexpr int lanes_of = static_cast<int>(sizeof(Real) / sizeof(double));
+
+template <class Real>
+[[gnu::always_inline]] inline Real load(const double* from) {
+    Real value;
+    std::memcpy(&value, from, sizeof(Real));
+    return value;
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void store(double* to, Real value) {
+    std::memcpy(to, &value, sizeof(Real));
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void add_to(double* to, Real value) {
+    store(to, load<Real>(to) + value);
+}
+
+template <class Real>
+[[gnu::always_inline]] inline Real square_root(Real value) {
+    if constexpr (lanes_of<Real> == 1) {
+        return std::sqrt(value);
+    } else {
+        Real root = value;
+        for (int lane = 0; lane < lanes_of<Real>; ++lane) root[lane] = std::sqrt(value[lane]);
+        return root;
+    }
+}
+
+/// Position and velocity of one corner of `lanes_of<Real>` elements.
+template <class Real>
+struct CornerMotion {
+    Real x, y, vx, vy;
+};
+
+template <class Real>
+[[gnu::always_inline]] inline CornerMotion<Real> gather(const Node* nodes, const std::int32_t* index) {
+    static_assert(sizeof(Node) == sizeof(Double4));
+    const auto* base = reinterpret_cast<const double*>(nodes);
+    if constexpr (lanes_of<Real> == 1) {
+        const double* n = base + 4 * static_cast<std::size_t>(*index);
+        return {n[0], n[1], n[2], n[3]};
+    } else if constexpr (lanes_of<Real> == 4) {
+        // One 32-byte load a node, then a 4 x 4 transposition.
+        const auto node = [&](int lane) { return load<Double4>(base + 4 * static_cast<std::size_t>(index[lane])); };
+        const Double4 n0 = node(0), n1 = node(1), n2 = node(2), n3 = node(3);
+        const Double4 x01 = __builtin_shufflevector(n0, n1, 0, 4, 2, 6);
+        const Double4 y01 = __builtin_shufflevector(n0, n1, 1, 5, 3, 7);
+        const Double4 x23 = __builtin_shufflevector(n2, n3, 0, 4, 2, 6);
+        const Double4 y23 = __builtin_shufflevector(n2, n3, 1, 5, 3, 7);
+        return {__builtin_shufflevector(x01, x23, 0, 1, 4, 5), __builtin_shufflevector(y01, y23, 0, 1, 4, 5),
+                __builtin_shufflevector(x01, x23, 2, 3, 6, 7), __builtin_shufflevector(y01, y23, 2, 3, 6, 7)};
+    } else {
+        const auto low = gather<Double4>(nodes, index);
+        const auto high = gather<Double4>(nodes, index + 4);
+        const auto join = [](Double4 a, Double4 b) {
+            return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+        };
+        return {join(low.x, high.x), join(low.y, high.y), join(low.vx, high.vx), join(low.vy, high.vy)};
+    }
+}
+
+/// Writes corner forces as (fx, fy) pairs, lane after lane, so that a node gathers each pair with one load.
+template <class Real>
+[[gnu::always_inline]] inline void store_pairs(double* to, Real fx, Real fy) {
+    if constexpr (lanes_of<Real> == 1) {
+        to[0] = fx;
+        to[1] = fy;
+    } else if constexpr (lanes_of<Real> == 4) {
+        store(to, Double4(__builtin_shufflevector(fx, fy, 0, 4, 1, 5)));
+        store(to + 4, Double4(__builtin_shufflevector(fx, fy, 2, 6, 3, 7)));
+    } else {
+        store(to, Double8(__builtin_shufflevector(fx, fy, 0, 8, 1, 9, 2, 10, 3, 11)));
+        store(to + 8, Double8(__builtin_shufflevector(fx, fy, 4, 12, 5, 13, 6, 14, 7, 15)));
+    }
+}
+
+}  // namespace percuss::PERCUSS_ISA

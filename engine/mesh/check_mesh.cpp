@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "mesh/build.hpp"
+#include "mesh/overlap.hpp"
+#include "mesh/segment_tree.hpp"
+#include "mesh/select.hpp"
+#include "scene/faults.hpp"
+
+namespace percuss {
+namespace {
+
+/// Checks one mesh; what several checks need of a body is found once.
+class MeshCheck {
+  public:
+    MeshCheck(const Scene& scene, const Mesh& mesh, Faults& faults)
+        : scene_(scene), mesh_(mesh), faults_(faults) {
+        for (const auto& body : mesh.bodies) {
+            bodies_.emplace(body.name, &body);
+            sides_.emplace(body.name, smallest_side(mesh, body));
+        }
+    }
+
+    void check_pair(const ContactPair& pair) const {
+        const auto &master = *bodies_.at(pair.master.body), &slave = *bodies_.at(pair.slave.body);
+        if (&master == &slave) check_disjoint(pair, master);
+        const double tolerance = 1e-9 * std::min(sides_.at(master.name), sides_.at(slave.name));
+        const bool axisymmetric = scene_.geometry == Geometry::axisymmetric;
+        const auto overlap = find_overlap(mesh_, master, pair.master.edge, slave, axisymmetric, tolerance);
+        if (overlap)
+            faults_.error(
+                pair.place,
+                fmt::format("contact '{}': body '{}' overlaps {} by {:.6g} {} at {}; move them apart "
+                            "until they touch or leave a gap",
+                            pair.name, master.name,
+                            &master == &slave ? "itself" : "body '" + slave.name + "'", overlap->depth,
+                            scene_.units.length_name(), text(overlap->at)));
+    }
+
+    void check_probe(const Probe& probe) {
+        const auto& body = *bodies_.at(probe.body);
+        auto tree = trees_.find(body.name);
+        if (tree == trees_.end()) tree = trees_.emplace(body.name, outline_segments(mesh_, body)).first;
+        if (tree->second.winding(probe.at) != 0) return;
+        const double away = tree->second.nearest(probe.at, [](std::size_t) { return true; })->distance;
+        if (away > 1e-6 * sides_.at(body.name))
+            faults_.error(
+                probe.place,
+                fmt::format("probe '{}' at {} lies {:.6g} {} outside body '{}'; move it inside", probe.name,
+                            text(probe.at), away, scene_.units.length_name(), body.name));
+    }
+
+    void check_constraints(const Body& body) const {
+        for (const auto& constraint : body.constraints)
+            if (select_nodes(mesh_, *bodies_.at(body.name), constraint.edge, constraint.box).empty())
+                faults_.error(
+                    constraint.place,
+                    fmt::format("body '{}': the constraint holds no node; enlarge its box", body.name));
+    }
+
+  private:
+    [[nodiscard]] std::string text(const Vec2& point) const {
+        return fmt::format("({:.6g}, {:.6g}) {}", point.x(), point.y(), scene_.units.length_name());
+    }
+
+    /// A node on both sides of a pair would be master and slave of itself.
+    void check_disjoint(const ContactPair& pair, const MeshBody& body) const {
+        const auto *a = find_edge(body, pair.master.edge), *b = find_edge(body, pair.slave.edge);
+        auto nodes = a->nodes;
+        std::sort(nodes.begin(), nodes.end());
+        const auto shared = std::find_if(b->nodes.begin(), b->nodes.end(), [&](std::int32_t node) {
+            return std::binary_search(nodes.begin(), nodes.end(), node);
+        });
+        if (shared == b->nodes.end()) return;
+        faults_.error(
+            pair.place,
+            fmt::format("contact '{}': edges '{}' and '{}' share the node at {}; contact of a body "
+                        "with itself needs edges without common nodes",
+                        pair.name, a->name, b->name, text(mesh_.nodes[static_cast<std::size_t>(*shared)])));
+    }
+
+    const Scene& scene_;
+    const Mesh& mesh_;
+    Faults& faults_;
+    std::map<std::string, const MeshBody*> bodies_;
+    std::map<std::string, double> sides_;
+    std::map<std::string, SegmentTree> trees_;
+};
+
+}  // namespace
+
+void check_mesh(const Scene& scene, const Mesh& mesh) {
+    Faults faults(scene.file, scene.overrides);
+    MeshCheck check(scene, mesh, faults);
+    for (const auto& pair : scene.contacts) check.check_pair(pair);
+    for (const auto& probe : scene.probes) check.check_probe(probe);
+    for (const auto& body : scene.bodies) check.check_constraints(body);
+    faults.throw_if_any();
+}
+
+}  // namespace percuss

@@ -1,0 +1,161 @@
+#include "record/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "run/fields.hpp"
+#include "run/force_error.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Names = std::array<std::string, 2>;
+
+Json by_direction(const Names& names, const std::array<double, 2>& values) {
+    return {{names[0], values[0]}, {names[1], values[1]}};
+}
+
+double ratio(double a, double b) { return b > 0 ? a / b : 0; }
+
+Json wall_seconds(const RunStatistics& statistics) {
+    const PhaseSeconds& s = statistics.seconds;
+    return {{"elements", s.elements},
+            {"contact_search", s.contact_search},
+            {"contact_solve", s.contact_solve},
+            {"integrate", s.integrate},
+            {"history", s.history},
+            {"record", s.record},
+            {"render", s.render},
+            {"step_total", statistics.step_seconds},
+            {"total", statistics.total_seconds}};
+}
+
+Json energy(const RunStatistics& statistics, const Energies& last) {
+    return {{"initial", statistics.initial_energy},
+            {"final", last.kinetic + last.internal},
+            {"maximum_growth", statistics.maximum_growth},
+            {"maximum_loss", statistics.maximum_loss},
+            {"elastic_error", statistics.elastic_energy_error},
+            {"kinetic", last.kinetic},
+            {"internal", last.internal},
+            {"hourglass", last.hourglass},
+            {"viscous", last.viscous},
+            {"contact", last.contact},
+            {"external", last.external},
+            {"balance", last.balance()}};
+}
+
+Json momentum(const RunStatistics& statistics, const Names& names, Geometry geometry) {
+    const auto& [before, after] = std::pair(statistics.momentum_initial, statistics.momentum_final);
+    // Radial components of a ring cancel: they carry no momentum of the whole.
+    double change = std::abs(after[1] - before[1]);
+    if (geometry != Geometry::axisymmetric) change = std::max(change, std::abs(after[0] - before[0]));
+    Json result{{"initial", by_direction(names, before)},
+                {"final", by_direction(names, after)},
+                {"error", ratio(change, statistics.momentum_scale)}};
+    if (geometry != Geometry::axisymmetric) {
+        result["angular_initial"] = statistics.angular_momentum_initial;
+        result["angular_final"] = statistics.angular_momentum_final;
+    }
+    return result;
+}
+
+Json contacts(const Scene& scene, const RunStatistics& statistics, const Names& names) {
+    Json result = Json::object();
+    for (std::size_t p = 0; p < std::min(scene.contacts.size(), statistics.pairs.size()); ++p) {
+        const PairStatistics& pair = statistics.pairs[p];
+        result[scene.contacts[p].name] = {
+            {"peak_force", pair.peak_force},           {"impulse", by_direction(names, pair.impulse)},
+            {"open_close_events", pair.events},        {"node_openings", pair.openings},
+            {"node_closings", pair.closings},          {"negative_forces", pair.negative_forces},
+            {"max_penetration", pair.max_penetration}, {"work", pair.work}};
+    }
+    return result;
+}
+
+Json bodies(const Scene& scene, const Snapshot& last, const Names& names) {
+    Json result = Json::object();
+    for (std::size_t b = 0; b < std::min(scene.bodies.size(), last.bodies.size()); ++b) {
+        result[scene.bodies[b].name] = {{"velocity", by_direction(names, last.bodies[b].velocity)}};
+    }
+    return result;
+}
+
+Json exact_answers(const Scene& scene, const History& history) {
+    Json result = Json::object();
+    if (scene.exact.empty() || history.rows() < 2) return result;
+    const std::vector<double> time = history.values("time");
+    for (const ExactHistory& exact : scene.exact) {
+        std::vector<double> force = history.values(exact.quantity);
+        force.resize(std::min(force.size(), time.size()));
+        const auto times = std::span(time).first(force.size());
+        result[exact.quantity] = {
+            {"error", force_error(times, force, exact.points, 0, scene.duration)},
+            {"error_averaged", force_error(times, force, exact.points, exact.window, scene.duration)},
+            {"window", exact.window},
+            {"first_sample", first_sample(force, exact.points)}};
+    }
+    return result;
+}
+
+const char* status_name(RunStatus status) {
+    switch (status) {
+        case RunStatus::finished:
+            return "finished";
+        case RunStatus::diverged:
+            return "diverged";
+        default:
+            return "interrupted";
+    }
+}
+
+Json unit_labels(const Units& units) {
+    Json result = Json::object();
+    for (const auto& [name, quantity] :
+         {std::pair{"length", Quantity::length}, std::pair{"time", Quantity::time},
+          std::pair{"mass", Quantity::mass}, std::pair{"velocity", Quantity::velocity},
+          std::pair{"force", Quantity::force}, std::pair{"stress", Quantity::stress},
+          std::pair{"energy", Quantity::energy}, std::pair{"momentum", Quantity::impulse}}) {
+        result[name] = units.label(quantity);
+    }
+    return result;
+}
+
+}  // namespace
+
+nlohmann::ordered_json make_summary(const RunSetup& setup, const RunStatistics& statistics,
+                                    const History& history, const Snapshot& last) {
+    const Scene& scene = setup.scene;
+    const Names names = direction_names(scene.geometry);
+    const PhaseSeconds& seconds = statistics.seconds;
+    Json summary;
+    summary["percuss"] = PERCUSS_VERSION;
+    summary["scene"] = scene.title;
+    summary["status"] = status_name(last.status);
+    summary["message"] = last.message;
+    summary["time"] = last.time;
+    summary["steps"] = statistics.steps;
+    summary["elements"] = statistics.cells;
+    summary["threads"] = statistics.threads;
+    summary["wall_seconds"] = wall_seconds(statistics);
+    summary["contact_share"] = ratio(seconds.contact_search + seconds.contact_solve, statistics.step_seconds);
+    summary["element_steps_per_second"] =
+        ratio(static_cast<double>(statistics.steps) * static_cast<double>(statistics.cells),
+              statistics.step_seconds);
+    summary["dt_min"] = statistics.dt_min;
+    summary["dt_max"] = statistics.dt_max;
+    summary["critical_step"] = statistics.critical_step_initial;
+    summary["critical_step_min"] = statistics.critical_step_min;
+    summary["energy"] = energy(statistics, last.energy);
+    summary["momentum"] = momentum(statistics, names, scene.geometry);
+    summary["contact"] = contacts(scene, statistics, names);
+    summary["body"] = bodies(scene, last, names);
+    summary["exact"] = exact_answers(scene, history);
+    summary["state_hash"] = statistics.state_hash;
+    summary["units"] = unit_labels(scene.units);
+    return summary;
+}
+
+}  // namespace percuss

@@ -1,0 +1,53 @@
+#include "run/probes.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace percuss {
+namespace {
+
+template <class Centre>
+std::int32_t nearest(std::int32_t begin, std::int32_t end, const Vec2& point, Centre centre) {
+    std::int32_t best = begin;
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (std::int32_t k = begin; k < end; ++k) {
+        const double distance = (centre(k) - point).squaredNorm();
+        if (distance < best_distance) {
+            best = k;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+std::vector<ProbeReading> bind_probes(const Scene& scene, const Mesh& mesh) {
+    const auto node_at = [&](std::int32_t node) -> Vec2 { return mesh.nodes[static_cast<std::size_t>(node)]; };
+    const auto centre_of = [&](std::int32_t cell) -> Vec2 {
+        const Cell& corners = mesh.cells[static_cast<std::size_t>(cell)];
+        const int count = corner_count(corners);
+        Vec2 sum(0, 0);
+        for (int i = 0; i < count; ++i) sum += node_at(corners[static_cast<std::size_t>(i)]);
+        return sum / count;
+    };
+    std::vector<ProbeReading> readings;
+    for (const Probe& probe : scene.probes) {
+        const auto body = std::find_if(mesh.bodies.begin(), mesh.bodies.end(),
+                                       [&](const MeshBody& b) { return b.name == probe.body; });
+        for (const std::string& quantity : probe.record) {
+            ProbeReading reading;
+            reading.field = find_field(scene.geometry, quantity);
+            reading.body = static_cast<std::int32_t>(body - mesh.bodies.begin());
+            if (reading.field.per_cell) {
+                reading.cell = nearest(body->cell_begin, body->cell_end, probe.at, centre_of);
+            } else {
+                reading.node = nearest(body->node_begin, body->node_end, probe.at, node_at);
+            }
+            readings.push_back(std::move(reading));
+        }
+    }
+    return readings;
+}
+
+}  // namespace percuss

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "run/fields.hpp"
+
+namespace percuss {
+
+/// A probe's quantity bound to the cell or node it is read from.
+struct ProbeReading {
+    FieldInfo field;
+    std::int32_t body = 0;
+    std::int32_t cell = -1;  ///< nearest cell centre, for cell fields
+    std::int32_t node = -1;  ///< nearest node, for node fields
+};
+
+/// One reading for each probe and recorded quantity, in the scene's order.
+[[nodiscard]] std::vector<ProbeReading> bind_probes(const Scene& scene, const Mesh& mesh);
+
+}  // namespace percuss

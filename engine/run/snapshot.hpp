@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "scene/scene.hpp"
+
+namespace percuss {
+
+/// What does not change during a run, shared by all its snapshots.
+struct RunSetup {
+    Scene scene;
+    Mesh mesh;
+};
+
+/// Stress means of one cell, sign: tension positive. Components: rr (or xx), zz (or yy), hoop (or out of plane),
+/// shear rz (or xy) [stress].
+using StressMean = std::array<double, 4>;
+
+/// The force that a contact puts on one node in one step [force], at the node's position.
+struct ContactForce {
+    std::int32_t node = 0;
+    std::int32_t pair = 0;
+    bool master = false;
+    std::array<double, 2> force{0, 0};  ///< on the node; per radian times 2 pi when axisymmetric (full ring)
+};
+
+/// The energy ledger, [energy], of the whole ring when axisymmetric, of the thickness when plane.
+struct Energies {
+    double kinetic = 0;
+    double internal = 0;   ///< work of all internal nodal forces: strain + hourglass + viscous
+    double hourglass = 0;  ///< part of internal
+    double viscous = 0;    ///< part of internal
+    double contact = 0;    ///< work done on the bodies by contact forces (negative: energy lost at the contact)
+    double external = 0;   ///< E of the paper: initial kinetic energy + work of loads, body forces, prescribed motion
+    /// e = E - I - K of the paper: what the contact took away.
+    [[nodiscard]] double balance() const { return external - internal - kinetic; }
+};
+
+struct PairState {
+    std::array<double, 2> force{0, 0};  ///< resultant on the master body; radial = sum of radial components [force]
+    std::int32_t active = 0;            ///< master nodes in contact
+    double penetration = 0;             ///< largest penetration left after the correction [length]
+};
+
+struct BodyState {
+    std::array<double, 2> velocity{0, 0};  ///< mass-averaged [velocity]
+};
+
+enum class RunStatus { paused, running, finished, diverged };
+
+/// One moment of a run: immutable, complete, taken without stopping the engine.
+struct Snapshot {
+    std::shared_ptr<const RunSetup> setup;
+    double time = 0;  ///< [time]
+    std::int64_t step = 0;
+    double dt = 0;             ///< [time]
+    double critical_step = 0;  ///< [time]
+    std::vector<double> position;  ///< 2 per node [length]
+    std::vector<double> velocity;  ///< 2 per node, at time - dt/2 [velocity]
+    std::vector<StressMean> stress;  ///< one per cell
+    std::vector<ContactForce> contact_forces;
+    std::vector<PairState> pairs;   ///< in the order of scene.contacts
+    std::vector<BodyState> bodies;  ///< in the order of scene.bodies
+    Energies energy;
+    RunStatus status = RunStatus::paused;
+    std::string message;  ///< why the run paused, when it diverged
+};
+
+}  // namespace percuss

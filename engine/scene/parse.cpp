@@ -1,0 +1,59 @@
+#include "scene/parse.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "scene/input_limits.hpp"
+#include "scene/overrides.hpp"
+#include "scene/readers.hpp"
+
+namespace percuss {
+namespace {
+
+toml::table parse_toml(std::string_view text, const std::string& name, Faults& faults) {
+    if (const auto fault = fault_of_input(text)) faults.error(fault->first, fault->second);
+    faults.throw_if_any();
+    try {
+        return toml::parse(text, name);
+    } catch (const toml::parse_error& error) {
+        const auto& begin = error.source().begin;
+        faults.error({static_cast<int>(begin.line), static_cast<int>(begin.column)},
+                     fmt::format("not TOML: {}; see https://toml.io for the notation", error.description()));
+        faults.throw_if_any();
+        throw;
+    }
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+    Faults faults(name, overrides);
+    auto tree = parse_toml(text, name, faults);
+    apply_overrides(tree, overrides, faults);
+    Scene scene;
+    scene.file = name;
+    scene.text = text;
+    scene.overrides = overrides;
+    TableReader root(faults, tree, "the scene", "");
+    for (const auto read : {read_header, read_model, read_materials, read_bodies, read_contacts, read_probes,
+                            read_recording, read_view, read_promises})
+        read(root, scene);
+    root.finish();
+    faults.throw_if_any();
+    scene.warnings = faults.warnings();
+    return scene;
+}
+
+Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    std::ifstream stream(file, std::ios::binary);
+    std::error_code error;
+    if (!stream || !std::filesystem::is_regular_file(file, error))
+        throw SceneError({file.string() + ": cannot be read; name a scene file, e.g. scenes/rods.toml"});
+    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    return parse_scene(text, file.string(), overrides);
+}
+
+}  // namespace percuss

@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "run/fields.hpp"
+#include "scene/readers.hpp"
+
+namespace percuss {
+namespace {
+
+const Body* find_body(const Scene& scene, const std::string& name) {
+    const auto found = std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                    [&](const Body& body) { return body.name == name; });
+    return found == scene.bodies.end() ? nullptr : &*found;
+}
+
+void report_body(TableReader& reader, std::string_view key, const Scene& scene, const std::string& name) {
+    reader.error(key, fmt::format("unknown body '{}'{}", name, suggest_name(name, names_of(scene.bodies))));
+}
+
+/// "body" or "body.edge"; nothing when it is faulty.
+std::optional<SurfaceName> read_surface(TableReader& reader, std::string_view key, const Scene& scene) {
+    reader.need(key, fmt::format("{} = \"BODY.EDGE\" or \"BODY\"", key));
+    const auto text = reader.text(key);
+    if (!text) return std::nullopt;
+    const auto dot = text->find('.');
+    SurfaceName surface{text->substr(0, dot), dot == std::string::npos ? "" : text->substr(dot + 1),
+                        reader.place(key)};
+    const auto* body = find_body(scene, surface.body);
+    if (!body) {
+        report_body(reader, key, scene, surface.body);
+        return std::nullopt;
+    }
+    if (dot != std::string::npos) check_edge(reader, key, *body, surface.edge);
+    return surface;
+}
+
+void check_self_contact(TableReader& reader, const ContactPair& pair, bool declared) {
+    if (pair.master.body != pair.slave.body) {
+        if (declared)
+            reader.error("self", "'self' is true, but master and slave are different bodies; leave it out");
+        return;
+    }
+    if (!declared)
+        reader.error("slave",
+                     fmt::format("body '{}' is paired with itself; name another body, or write self = true",
+                                 pair.slave.body));
+    else if (pair.master.edge.empty() || pair.master.edge == pair.slave.edge || pair.slave.edge.empty())
+        reader.error("slave",
+                     "contact of a body with itself needs two different edges; name them as BODY.EDGE");
+}
+
+}  // namespace
+
+void read_contacts(TableReader& root, Scene& scene) {
+    for (auto& reader : root.tables("contact")) {
+        ContactPair pair;
+        pair.place = reader.place();
+        pair.name = read_unique_name(reader, scene.contacts, "name = \"impact\"");
+        const auto master = read_surface(reader, "master", scene);
+        const auto slave = read_surface(reader, "slave", scene);
+        pair.scheme = reader
+                          .choice<ContactScheme>("scheme", "contact scheme",
+                                                 {{"projection", ContactScheme::projection}})
+                          .value_or(ContactScheme::projection);
+        pair.sign = reader
+                        .choice<ContactSign>("sign", "sign",
+                                             {{"restricted", ContactSign::restricted},
+                                              {"unrestricted", ContactSign::unrestricted}})
+                        .value_or(ContactSign::restricted);
+        const bool self = reader.flag("self").value_or(false);
+        if (master) pair.master = *master;
+        if (slave) pair.slave = *slave;
+        if (master && slave) check_self_contact(reader, pair, self);
+        reader.finish();
+        scene.contacts.push_back(std::move(pair));
+    }
+}
+
+void read_probes(TableReader& root, Scene& scene) {
+    std::vector<std::string> fields;
+    for (const auto& field : available_fields(scene.geometry)) fields.push_back(field.name);
+    for (auto& reader : root.tables("probe")) {
+        Probe probe;
+        probe.place = reader.place();
+        probe.name = read_unique_name(reader, scene.probes, "name = \"near-face\"");
+        reader.need("body", "body = NAME of a [[body]]");
+        probe.body = reader.text("body").value_or("");
+        if (reader.node().contains("body") && !find_body(scene, probe.body))
+            report_body(reader, "body", scene, probe.body);
+        reader.need("at", "at = [x, y]");
+        if (const auto at = reader.numbers("at", 2)) probe.at = vec2(*at);
+        reader.need("record", fmt::format("record = [\"{}\"]", fields.front()));
+        probe.record = reader.texts("record").value_or(std::vector<std::string>{});
+        for (const auto& quantity : probe.record)
+            if (std::find(fields.begin(), fields.end(), quantity) == fields.end())
+                reader.error("record", fmt::format("unknown quantity '{}'{}", quantity,
+                                                   suggest_name(quantity, fields)));
+        reader.finish();
+        scene.probes.push_back(std::move(probe));
+    }
+}
+
+}  // namespace percuss

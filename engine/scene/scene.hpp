@@ -1,0 +1,213 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "units.hpp"
+
+/// The typed scene: what a scene file says, checked, with defaults filled in. All numbers are in scene units.
+/// scenes/README.md documents each key; parse.hpp makes a Scene from text.
+namespace percuss {
+
+/// Where a value stands in the scene file (1-based), for messages. See describe_place in parse.hpp.
+struct Place {
+    int line = 0, column = 0;
+    int override_number = 0;  ///< n > 0: given by Scene::overrides[n - 1] instead of the file
+};
+
+enum class Geometry { axisymmetric, plane_strain, plane_stress };
+
+struct StepSize {
+    std::optional<double> fixed;  ///< [time]; when absent the step is `courant` times the critical step
+    double courant = 0.9;         ///< fraction of the critical step, 0 < courant <= 1
+    Place place;
+};
+
+struct BulkViscosity {
+    double linear = 0;     ///< coefficient of rho c h |D|, dimensionless (0.06 is usual)
+    double quadratic = 0;  ///< coefficient of rho h^2 D^2, dimensionless (1.2 is usual)
+};
+
+struct Material {
+    std::string name;
+    double density = 0;  ///< [mass/length^3]
+    double young = 0;    ///< Young's modulus [stress]
+    double poisson = 0;  ///< -1 < nu < 0.5
+    std::optional<BulkViscosity> viscosity;
+    Place place;
+};
+
+/// Shape of a block edge between its two corners.
+struct Straight {};
+struct Arc {
+    Vec2 through;  ///< a point of the arc between the corners
+};
+struct Polyline {
+    std::vector<Vec2> points;  ///< inner points, in the direction in which the edge is walked
+};
+using EdgeShape = std::variant<Straight, Arc, Polyline>;
+
+enum class CellPattern { quads, diagonal, crossed };  ///< quads; 2 triangles a cell; 4 triangles a cell
+
+/// A four-sided patch, meshed by transfinite interpolation. Sides in order bottom (corner 0 to 1),
+/// right (1 to 2), top (2 to 3), left (3 to 0); the corners run counter-clockwise.
+struct Block {
+    std::array<Vec2, 4> corners;
+    std::array<EdgeShape, 4> shapes;      ///< bottom, right, top, left; polyline points in walking direction
+    std::array<int, 2> divisions{1, 1};   ///< cells along bottom/top, cells along right/left
+    std::array<double, 2> grading{1, 1};  ///< last / first cell length from corner 0 to 1, from corner 0 to 3
+    std::array<std::string, 4> edge_names;  ///< "" where the side is not named
+    Place place;
+};
+
+/// A value that may vary in time: constant, or linear between points and constant outside them.
+struct TimeFunction {
+    std::vector<std::pair<double, double>> points;  ///< (time, value); one point = constant
+    [[nodiscard]] double operator()(double time) const;
+};
+
+enum class Direction { first, second };  ///< r or x; z or y
+
+struct Constraint {
+    std::string edge;                          ///< named edge, or "" for the whole body
+    std::array<bool, 2> fixed{false, false};   ///< directions held at zero velocity
+    std::optional<std::array<double, 4>> box;  ///< only nodes inside {min0, min1, max0, max1}
+    Place place;
+};
+
+struct PrescribedVelocity {
+    std::string edge;  ///< named edge, or "" for the whole body
+    Direction direction = Direction::second;
+    TimeFunction velocity;  ///< [velocity]
+    Place place;
+};
+
+struct EdgeLoad {
+    std::string edge;
+    std::optional<TimeFunction> pressure;                 ///< follower, positive pushes on the body [stress]
+    std::array<std::optional<TimeFunction>, 2> traction;  ///< per reference area, fixed direction [stress]
+    Place place;
+};
+
+struct Body {
+    std::string name;
+    std::string material;
+    ElementKind element = ElementKind::quad_one_point;
+    CellPattern pattern = CellPattern::quads;
+    double hourglass = 0.1;  ///< Flanagan-Belytschko stiffness coefficient; one-point quads only
+    std::array<double, 2> velocity{0, 0};    ///< initial velocity
+    std::array<double, 2> body_force{0, 0};  ///< acceleration by body forces, e.g. gravity [acceleration]
+    std::vector<Block> blocks;
+    std::vector<Constraint> constraints;
+    std::vector<PrescribedVelocity> prescribed;
+    std::vector<EdgeLoad> loads;
+    Place place;
+};
+
+/// One side of a contact pair: a named edge of a body, or its whole outline when `edge` is empty.
+struct SurfaceName {
+    std::string body;
+    std::string edge;
+    Place place;
+};
+
+enum class ContactScheme { projection };  ///< the paper's nodal projection; more will come
+enum class ContactSign {
+    restricted,    ///< no tensile contact force: C >= 0
+    unrestricted,  ///< the paper's equations as they stand; negative C are counted
+};
+
+struct ContactPair {
+    std::string name;
+    SurfaceName master, slave;
+    ContactScheme scheme = ContactScheme::projection;
+    ContactSign sign = ContactSign::restricted;
+    Place place;
+};
+
+struct Probe {
+    std::string name;
+    std::string body;
+    Vec2 at{0, 0};  ///< initial position; nearest cell for stress, nearest node for motion
+    std::vector<std::string>
+        record;  ///< e.g. "stress.axial", "von_mises", "velocity.axial", "displacement.radial"
+    Place place;
+};
+
+struct Recording {
+    int history_every = 1;         ///< steps between history rows
+    std::optional<double> frames;  ///< simulated time between frames [time]; absent: duration / 100
+};
+
+enum class ForceScale { automatic, fixed, logarithmic };
+enum class VerticalAxis { first, second };  ///< which coordinate points up in pictures
+
+struct ViewOptions {
+    std::string field = "von_mises";
+    std::optional<std::array<double, 2>> range;  ///< colour range in scene units; absent: over the frame
+    std::string colour_map = "viridis";
+    bool edges = true;   ///< draw element edges
+    bool mirror = true;  ///< axisymmetric: draw both halves
+    bool forces = true;  ///< contact-force arrows
+    ForceScale force_scale = ForceScale::automatic;
+    std::optional<double> force_reference;  ///< force drawn as the reference arrow [force]
+    bool velocities = true;                 ///< arrow and label of each body's mean velocity
+    VerticalAxis up = VerticalAxis::second;
+    std::optional<std::array<double, 4>>
+        window;                          ///< shown region {min0, min1, max0, max1}; absent: all bodies
+    std::array<int, 2> size{1280, 720};  ///< pixels
+    std::vector<std::string> charts;  ///< side charts: "force", "velocity", "energy", or history column names
+    double frames_per_second = 25;
+};
+
+/// A closed-form history to compare with: piecewise linear in time; jumps are two points at one time.
+struct ExactHistory {
+    std::string quantity;  ///< history column, e.g. "contact.impact.axial"
+    std::string label;
+    std::vector<std::pair<double, double>> points;  ///< (time, value)
+    double window = 0;                              ///< moving-average window of the averaged error [time]
+    Place place;
+};
+
+/// A promise about summary.json: the value at `path` lies in [min, max].
+struct Expectation {
+    std::string path;  ///< e.g. "energy.maximum_loss", "contact.impact.open_close_events"
+    double min = 0, max = 0;
+    std::string why;
+    Place place;
+};
+
+struct Scene {
+    std::string title;
+    std::string description;
+    Units units;
+    Geometry geometry = Geometry::axisymmetric;
+    double thickness = 1;  ///< plane scenes only [length]
+    double duration = 0;   ///< [time]
+    StepSize step;
+    bool lagged = false;  ///< stresses at the uncorrected (penetrated) positions: the teaching mode
+    double energy_growth_limit =
+        0.5;  ///< run stops when the total energy exceeds (1 + limit) times the input
+    std::vector<Material> materials;
+    std::vector<Body> bodies;
+    std::vector<ContactPair> contacts;
+    std::vector<Probe> probes;
+    Recording record;
+    ViewOptions view;
+    std::vector<ExactHistory> exact;
+    std::vector<Expectation> expect;
+
+    std::string file;                    ///< path as given, for messages
+    std::string text;                    ///< the file's text, as read
+    std::vector<std::string> overrides;  ///< "key=value", in the order given
+    std::vector<std::string> warnings;   ///< "file:line:column: warning: ..."
+};
+
+}  // namespace percuss

@@ -1,0 +1,297 @@
+#include "solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "mesh/build.hpp"
+#include "run/state_hash.hpp"
+#include "scene/parse.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::int32_t nodes_per_chunk = 512;
+constexpr std::int32_t blocks_per_chunk = 32;
+/// Below this many elements a second thread costs more in waiting than it saves.
+constexpr std::int32_t elements_worth_a_thread = 1500;
+
+std::shared_ptr<const RunSetup> make_setup(Scene scene) {
+    auto setup = std::make_shared<RunSetup>();
+    setup->mesh = build_mesh(scene);
+    check_mesh(scene, setup->mesh);
+    setup->scene = std::move(scene);
+    return setup;
+}
+
+int useful_threads(int wanted, std::int32_t cells) {
+    const auto most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    return std::clamp(std::min(wanted, cells / elements_worth_a_thread), 1, most);
+}
+
+}  // namespace
+
+Solver::Solver(Scene scene, int threads)
+    : setup_(make_setup(std::move(scene))),
+      step_size_(setup_->scene.step),
+      team_(useful_threads(threads, setup_->mesh.cell_count())),
+      imposed_(impose_motion(setup_->scene, setup_->mesh)),
+      loads_(setup_->scene, setup_->mesh),
+      probes_(bind_probes(setup_->scene, setup_->mesh)) {
+    const Scene& s = setup_->scene;
+    scale_ = s.geometry == Geometry::axisymmetric ? 2 * std::numbers::pi : s.thickness;
+    for (std::size_t body = 0; body < s.bodies.size(); ++body)
+        batches_.push_back(make_batch(s, setup_->mesh, static_cast<std::int32_t>(body), imposed_.held));
+    build_nodes();
+    build_chunks();
+    for (const ContactPair& pair : s.contacts) {
+        pairs_.push_back({make_contact_scheme(pair, setup_->mesh), {}, {}, {}});
+        pairs_.back().flags.assign(setup_->mesh.nodes.size(), 0);
+    }
+    if (!loads_.none()) external_.assign(2 * mass_.size(), 0);
+    if (!imposed_.prescribed.empty()) imposed_change_.assign(2 * mass_.size(), 0);
+    if (!pairs_.empty()) contact_impulse_.assign(2 * mass_.size(), 0);
+    if (s.lagged) state_.lagged_nodes = state_.nodes;
+    probe_values_.resize(probes_.size());
+    probe_nodes_.resize(probes_.size());
+    row_.resize(history_columns(s).size());
+
+    Ledger& ledger = state_.ledger;
+    ledger.body_momentum.assign(s.bodies.size(), {0, 0});
+    ledger.body_velocity.assign(s.bodies.size(), {0, 0});
+    ledger.pair_work.assign(pairs_.size(), 0);
+    statistics_.cells = setup_->mesh.cell_count();
+    statistics_.threads = team_.size();
+    statistics_.pairs.resize(pairs_.size());
+    highest_.resize(static_cast<std::size_t>(team_.size()));
+    evaluate_critical_step();
+    statistics_.critical_step_initial = statistics_.critical_step_min = state_.critical_step;
+    check_fixed_step(step_size_);
+    for (std::size_t body = 0; body < s.bodies.size(); ++body) {
+        for (std::size_t d = 0; d < 2; ++d) {
+            ledger.body_velocity[body][d] = s.bodies[body].velocity[d];
+            ledger.body_momentum[body][d] = body_mass_[body] * s.bodies[body].velocity[d];
+            statistics_.momentum_initial[d] += scale_ * ledger.body_momentum[body][d];
+        }
+        const double speed = std::hypot(s.bodies[body].velocity[0], s.bodies[body].velocity[1]);
+        statistics_.momentum_scale += scale_ * body_mass_[body] * speed;
+        ledger.initial_kinetic += 0.5 * body_mass_[body] * speed * speed;
+    }
+    ledger.lowest = ledger.largest_kinetic = ledger.initial_kinetic;
+    ledger.present.kinetic = ledger.present.external = scale_ * ledger.initial_kinetic;
+    statistics_.initial_energy = scale_ * ledger.initial_kinetic;
+    statistics_.angular_momentum_initial = angular_momentum();
+}
+
+void Solver::build_nodes() {
+    const Mesh& mesh = setup_->mesh;
+    const Scene& scene = setup_->scene;
+    const std::size_t count = mesh.nodes.size();
+    state_.nodes.resize(count);
+    mass_.assign(count, 0);
+    internal_.assign(2 * count, 0);
+    for (std::size_t body = 0; body < mesh.bodies.size(); ++body) {
+        const MeshBody& part = mesh.bodies[body];
+        const auto& velocity = scene.bodies[body].velocity;
+        for (auto node = static_cast<std::size_t>(part.node_begin); node < static_cast<std::size_t>(part.node_end); ++node)
+            state_.nodes[node] = {{mesh.nodes[node].x(), mesh.nodes[node].y()}, {velocity[0], velocity[1]}};
+        for (std::int32_t cell = part.cell_begin; cell < part.cell_end; ++cell) {
+            const Cell& corners = mesh.cells[static_cast<std::size_t>(cell)];
+            const auto share = corner_masses(corners, mesh.nodes, batches_[body].material.density, scene.geometry);
+            for (std::size_t i = 0; i < static_cast<std::size_t>(corner_count(corners)); ++i)
+                mass_[static_cast<std::size_t>(corners[i])] += share[i];
+        }
+        body_of_node_.insert(body_of_node_.end(), static_cast<std::size_t>(part.node_end - part.node_begin),
+                             static_cast<std::int32_t>(body));
+        body_mass_.push_back(std::accumulate(mass_.begin() + part.node_begin, mass_.begin() + part.node_end, 0.0));
+    }
+    inverse_mass_.resize(2 * count);
+    for (std::size_t node = 0; node < count; ++node) {
+        for (std::size_t d = 0; d < 2; ++d) {
+            inverse_mass_[2 * node + d] = imposed_.held[node][d] ? 0 : 1 / mass_[node];
+            if (imposed_.held[node][d]) state_.nodes[node].v[d] = 0;
+        }
+    }
+    for (const auto& p : imposed_.prescribed)
+        state_.nodes[static_cast<std::size_t>(p.node)].v[p.direction] =
+            imposed_.functions[static_cast<std::size_t>(p.function)](0);
+
+    // Where each node finds its corner forces: cells in mesh order, so that sums do not depend on threads.
+    std::vector<std::vector<const double*>> of_node(count);
+    for (const Batch& batch : batches_) {
+        for (std::int32_t element = 0; element < batch.count; ++element) {
+            for (int corner = 0; corner < batch.corners; ++corner) {
+                const auto at = static_cast<std::size_t>(
+                    ((element / block_lanes) * batch.corners + corner) * block_lanes + element % block_lanes);
+                of_node[static_cast<std::size_t>(batch.nodes[at])].push_back(batch.force.data() + 2 * at);
+            }
+        }
+    }
+    corner_begin_.assign(1, 0);
+    for (const auto& list : of_node) {
+        corners_.insert(corners_.end(), list.begin(), list.end());
+        corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+    }
+}
+
+void Solver::build_chunks() {
+    for (std::size_t body = 0; body < batches_.size(); ++body) {
+        const MeshBody& part = setup_->mesh.bodies[body];
+        for (std::int32_t begin = part.node_begin; begin < part.node_end; begin += nodes_per_chunk)
+            node_chunks_.push_back(
+                {begin, std::min(begin + nodes_per_chunk, part.node_end), static_cast<std::int32_t>(body)});
+        for (int begin = 0; begin < batches_[body].blocks(); begin += blocks_per_chunk)
+            element_chunks_.push_back({static_cast<std::int32_t>(body), begin,
+                                       std::min(begin + blocks_per_chunk, batches_[body].blocks())});
+    }
+    node_sums_.resize(node_chunks_.size());
+    element_sums_.resize(element_chunks_.size());
+}
+
+void Solver::check_fixed_step(const StepSize& step) const {
+    if (!step.fixed || *step.fixed <= state_.critical_step) return;
+    const Scene& scene = setup_->scene;
+    const auto unit = scene.units.display(Quantity::time, *step.fixed);
+    const std::string place =
+        step.place.line > 0 ? fmt::format("{}:{}:{}: ", scene.file, step.place.line, step.place.column) : "";
+    throw SceneError({fmt::format("{}time step {:.6g} {} is above the critical step; at most {:.6g} {} is stable", place,
+                                  *step.fixed * unit.scale, unit.label, state_.critical_step * unit.scale, unit.label)});
+}
+
+void Solver::set_step(const StepSize& step) {
+    check_fixed_step(step);
+    step_size_ = step;
+}
+
+bool Solver::finished() const { return state_.time >= setup_->scene.duration * (1 - 1e-12); }
+
+double Solver::angular_momentum() const {
+    if (setup_->scene.geometry == Geometry::axisymmetric) return 0;
+    double sum = 0;
+    for (std::size_t n = 0; n < mass_.size(); ++n) {
+        const Node& node = state_.nodes[n];
+        sum += mass_[n] * (node.x[0] * node.v[1] - node.x[1] * node.v[0]);
+    }
+    return scale_ * sum;
+}
+
+std::shared_ptr<Snapshot> Solver::snapshot() const {
+    auto snapshot = std::make_shared<Snapshot>();
+    snapshot->setup = setup_;
+    snapshot->time = state_.time;
+    snapshot->step = state_.step;
+    snapshot->dt = state_.dt;
+    snapshot->critical_step = state_.critical_step;
+    for (const Node& node : state_.nodes) {
+        snapshot->position.insert(snapshot->position.end(), {node.x[0], node.x[1]});
+        snapshot->velocity.insert(snapshot->velocity.end(), {node.v[0], node.v[1]});
+    }
+    for (const Batch& batch : batches_)
+        for (std::int32_t element = 0; element < batch.count; ++element)
+            snapshot->stress.push_back(mean_stress(batch, state_.nodes.data(), element));
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        snapshot->pairs.push_back(pairs_[p].state);
+        std::vector<ContactForce> slaves;
+        for (const ContactRow& row : pairs_[p].scheme->rows()) {
+            if (row.force == 0) continue;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double force = scale_ * row.force * row.share[k];
+                if (force == 0) continue;
+                const ContactForce one{row.node[k], static_cast<std::int32_t>(p), k == 0,
+                                       {force * row.normal[0], force * row.normal[1]}};
+                const auto same = std::find_if(slaves.begin(), slaves.end(),
+                                               [&](const ContactForce& f) { return f.node == one.node; });
+                if (k == 0) {
+                    snapshot->contact_forces.push_back(one);
+                } else if (same == slaves.end()) {
+                    slaves.push_back(one);
+                } else {
+                    same->force[0] += one.force[0];
+                    same->force[1] += one.force[1];
+                }
+            }
+        }
+        snapshot->contact_forces.insert(snapshot->contact_forces.end(), slaves.begin(), slaves.end());
+    }
+    for (std::size_t body = 0; body < body_mass_.size(); ++body) {
+        const auto& momentum = state_.ledger.body_momentum[body];
+        snapshot->bodies.push_back({{momentum[0] / body_mass_[body], momentum[1] / body_mass_[body]}});
+    }
+    snapshot->energy = state_.ledger.present;
+    return snapshot;
+}
+
+RunStatistics Solver::statistics(bool complete) const {
+    RunStatistics statistics = statistics_;
+    const Ledger& ledger = state_.ledger;
+    const double reference = ledger.initial_kinetic > 0 ? ledger.initial_kinetic : ledger.largest_kinetic;
+    statistics.steps = state_.step;
+    const PhaseSeconds& seconds = statistics.seconds;
+    statistics.step_seconds = seconds.elements + seconds.contact_search + seconds.contact_solve + seconds.integrate;
+    statistics.initial_energy = scale_ * ledger.initial_kinetic;
+    if (reference > 0) {
+        statistics.maximum_growth = ledger.growth / reference;
+        statistics.maximum_loss = ledger.loss / reference;
+        if (complete) statistics.elastic_energy_error = strain_energy_error() / reference;
+    }
+    for (std::size_t p = 0; p < pairs_.size(); ++p) statistics.pairs[p].work = scale_ * ledger.pair_work[p];
+    for (const auto& momentum : ledger.body_momentum)
+        for (std::size_t d = 0; d < 2; ++d) statistics.momentum_final[d] += scale_ * momentum[d];
+    statistics.angular_momentum_final = angular_momentum();
+    if (!complete) return statistics;
+    std::uint64_t hash = hash_bytes(state_.nodes.data(), state_.nodes.size() * sizeof(Node));
+    for (const Batch& batch : batches_)
+        hash = hash_bytes(batch.state.data(), batch.state.size() * sizeof(double), hash);
+    statistics.state_hash = hash_text(hash);
+    return statistics;
+}
+
+double Solver::strain_energy_error() const {
+    double stored = 0, work = 0;
+    for (const Batch& batch : batches_) {
+        for (std::int32_t element = 0; element < batch.count; ++element) {
+            stored += stored_energy(batch, state_.nodes.data(), element);
+            // The half of the present internal forces' work that the ledger books with the next step.
+            for (int corner = 0; corner < batch.corners; ++corner) {
+                const auto at = static_cast<std::size_t>(
+                    ((element / block_lanes) * batch.corners + corner) * block_lanes + element % block_lanes);
+                const Node& node = state_.nodes[static_cast<std::size_t>(batch.nodes[at])];
+                work += batch.force[2 * at] * node.v[0] + batch.force[2 * at + 1] * node.v[1];
+            }
+        }
+    }
+    const Ledger& ledger = state_.ledger;
+    return std::abs(ledger.internal + 0.5 * state_.dt * work - ledger.hourglass - ledger.viscous - stored);
+}
+
+SolverState Solver::save() const {
+    SolverState state = state_;
+    for (const Batch& batch : batches_) {
+        state.element_state.push_back(batch.state);
+        state.corner_force.push_back(batch.force);
+    }
+    return state;
+}
+
+void Solver::restore(const SolverState& state) {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        // Copied in place: nodes point into the corner forces.
+        std::copy(state.element_state[b].begin(), state.element_state[b].end(), batches_[b].state.begin());
+        std::copy(state.corner_force[b].begin(), state.corner_force[b].end(), batches_[b].force.begin());
+    }
+    state_ = state;
+    state_.element_state.clear();
+    state_.corner_force.clear();
+    for (Pair& pair : pairs_) {
+        pair.scheme->forget();
+        pair.state = {};
+        pair.active.clear();
+        std::fill(pair.flags.begin(), pair.flags.end(), char{0});
+    }
+}
+
+}  // namespace percuss

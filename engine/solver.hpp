@@ -1,0 +1,150 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contact/scheme.hpp"
+#include "dynamics/ledger.hpp"
+#include "dynamics/loads.hpp"
+#include "dynamics/team.hpp"
+#include "elements/batch.hpp"
+#include "run/history.hpp"
+#include "run/probes.hpp"
+#include "run/snapshot.hpp"
+#include "run/statistics.hpp"
+
+namespace percuss {
+
+/// All that changes from step to step: enough to go on from, bit by bit.
+struct SolverState {
+    AlignedVector<Node> nodes;
+    std::vector<AlignedVector<double>> element_state, corner_force;  ///< per batch
+    AlignedVector<Node> lagged_nodes;  ///< lagged mode: where stresses were last evaluated, and the motion that led there
+    Ledger ledger;
+    double time = 0, dt = 0, critical_step = 0;
+    std::int64_t step = 0, next_critical_step = 0;
+};
+
+/// Why a run cannot go on.
+struct Divergence {
+    std::string message;
+};
+
+/// The explicit dynamics of one scene, stepped by whoever calls step(). Not thread-safe; Engine wraps it in a thread.
+class Solver {
+  public:
+    /// @throws SceneError when the scene cannot be meshed or its fixed step is above the critical one.
+    explicit Solver(Scene scene, int threads = 1);
+
+    /// Advances the scene by one time step (step.cpp: read it first). @returns why the run cannot go on, if so; the state
+    /// is then not usable until restore().
+    std::optional<Divergence> step();
+    [[nodiscard]] bool finished() const;
+    /// Changes the step control of a run under way. @throws SceneError when a fixed step is above the critical one.
+    void set_step(const StepSize& step);
+
+    [[nodiscard]] std::shared_ptr<const RunSetup> setup() const { return setup_; }
+    [[nodiscard]] double time() const { return state_.time; }
+    [[nodiscard]] std::int64_t steps() const { return state_.step; }
+    [[nodiscard]] double critical_step() const { return state_.critical_step; }
+    [[nodiscard]] std::shared_ptr<Snapshot> snapshot() const;
+    /// @param complete false leaves out what needs a pass over all elements: state hash, strain energy check.
+    [[nodiscard]] RunStatistics statistics(bool complete = true) const;
+
+    [[nodiscard]] static std::vector<HistoryColumn> history_columns(const Scene& scene);
+    /// Numbers of the last step in the order of history_columns.
+    [[nodiscard]] std::span<const double> history_row() const { return row_; }
+
+    [[nodiscard]] SolverState save() const;
+    /// @pre `state` comes from a solver of the same scene.
+    void restore(const SolverState& state);
+    [[nodiscard]] std::span<const Node> nodes() const { return state_.nodes; }
+    /// 2 / omega_max of the undeformed mesh by power iteration on the assembled stiffness [time]; converges from above.
+    [[nodiscard]] double critical_step_by_power_iteration(int most_iterations = 2000) const;
+    [[nodiscard]] const std::vector<double>& lumped_mass() const { return mass_; }  ///< per radian or unit thickness
+    [[nodiscard]] const std::vector<Batch>& batches() const { return batches_; }
+    [[nodiscard]] double angular_momentum() const;  ///< about the origin, plane scenes; 0 when axisymmetric
+    [[nodiscard]] double scale() const { return scale_; }  ///< 2 pi, or the thickness: per-radian numbers to whole ones
+
+  private:
+    struct NodeChunk {
+        std::int32_t begin, end, body;
+    };
+    struct ElementChunk {
+        std::int32_t batch, begin, end;  // blocks
+    };
+    /// A pair's scheme and what is counted about it.
+    struct Pair {
+        std::unique_ptr<PairScheme> scheme;
+        PairState state;
+        std::vector<std::int32_t> active;  // master indices with force in the last step
+        std::vector<char> flags;           // per master index: 1 had force in the last step, 2 has it in this one
+    };
+
+    void build_nodes();
+    void build_chunks();
+    void check_fixed_step(const StepSize& step) const;
+
+    // The phases of a step, in order.
+    void read_probes();
+    std::optional<Divergence> choose_step();
+    void predict();
+    void resolve_contacts();
+    std::optional<Divergence> close_ledger();
+    std::optional<Divergence> internal_forces();
+
+    void predict_chunk(const NodeChunk& chunk, NodeSums& sums);
+    void impose_velocities(NodeSums& sums);
+    void stresses_at_predicted_positions();
+    void integrate_elements(const Node* nodes);
+    void evaluate_critical_step();
+    void start_half_step_early();
+    double account_contacts(NodeSums& sums);
+    void count_events(Pair& pair, PairStatistics& statistics) const;
+    void fill_history_row();
+    [[nodiscard]] Divergence locate_inverted() const;
+    [[nodiscard]] std::string locate_non_finite() const;
+    [[nodiscard]] std::string locate_most_energy() const;
+    [[nodiscard]] std::string element_name(const Batch& batch, std::int32_t element) const;
+    [[nodiscard]] std::string moment() const;  ///< the present time with its unit
+    [[nodiscard]] double strain_energy_error() const;
+    [[nodiscard]] std::array<double, 2> velocity_before(std::int32_t node) const;
+
+    std::shared_ptr<const RunSetup> setup_;
+    StepSize step_size_;
+    double scale_ = 1;
+    Team team_;
+    SolverState state_;
+    std::vector<Batch> batches_;
+    std::vector<NodeChunk> node_chunks_;
+    std::vector<ElementChunk> element_chunks_;
+    std::vector<NodeSums> node_sums_;
+    NodeSums sums_;
+    std::vector<std::array<double, 2>> momentum_before_;  // per body
+    std::vector<KernelSums> element_sums_;
+    std::vector<double> highest_;  // per thread, squared frequency of its elements
+    std::vector<double> mass_, body_mass_;
+    std::vector<std::int32_t> body_of_node_;
+    std::vector<double> inverse_mass_;         // 2 per node, 0 where the velocity is imposed
+    std::vector<double> internal_, external_;  // 2 per node; external_ only when the scene has loads
+    std::vector<std::int32_t> corner_begin_;   // per node: its range in corners_
+    std::vector<const double*> corners_;       // pairs (fx, fy) among the batches' corner forces
+    ImposedMotion imposed_;
+    std::vector<double> imposed_change_;  // 2 per node, velocity change by prescription; only when there is some
+    Loads loads_;
+    std::vector<Pair> pairs_;
+    std::vector<double> contact_impulse_;  // 2 per node, zero but during a step
+    std::vector<std::int32_t> touched_;
+    std::vector<ProbeReading> probes_;
+    std::vector<double> probe_values_;
+    std::vector<Node> probe_nodes_;
+    std::vector<double> row_;
+    RunStatistics statistics_;
+    double kick_ = 0;
+};
+
+}  // namespace percuss

@@ -1,0 +1,505 @@
+// One time step, top-down. Positions x belong to times t_n, velocities v to the middle of the steps between them; "before"
+// and "after" are the velocities that lead to and away from x_n. The order matters: contact corrects positions and
+// velocities before stresses are evaluated, so stresses never see a penetration, and energy never grows.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "solver.hpp"
+
+namespace percuss {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Books the time since the last call under one phase.
+class PhaseTimer {
+  public:
+    void book(double& seconds) {
+        const auto now = Clock::now();
+        seconds += std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+    }
+
+  private:
+    Clock::time_point last_ = Clock::now();
+};
+
+std::pair<std::size_t, std::size_t> share_of(std::size_t count, int part, int parts) {
+    const auto p = static_cast<std::size_t>(part), n = static_cast<std::size_t>(parts);
+    return {count * p / n, count * (p + 1) / n};
+}
+
+}  // namespace
+
+std::optional<Divergence> Solver::step() {
+    PhaseTimer timer;
+    PhaseSeconds& seconds = statistics_.seconds;
+
+    if (!probes_.empty()) read_probes();
+    if (auto divergence = choose_step()) return divergence;
+    predict();  // v += dt M^-1 (f_ext - f_int), x += dt v
+    timer.book(seconds.integrate);
+
+    if (setup_->scene.lagged) stresses_at_predicted_positions();
+    timer.book(seconds.elements);
+
+    resolve_contacts();  // finds penetrations, solves for contact forces, corrects x and v
+
+    timer = {};
+    auto divergence = close_ledger();  // energies, momenta and forces of t_n: v after it is known only now
+    if (divergence) return divergence;
+    timer.book(seconds.integrate);
+
+    divergence = internal_forces();  // at the corrected x
+    timer.book(seconds.elements);
+    return divergence;
+}
+
+void Solver::read_probes() {
+    for (std::size_t k = 0; k < probes_.size(); ++k) {
+        const ProbeReading& probe = probes_[k];
+        if (probe.cell >= 0) {
+            const Batch& batch = batches_[static_cast<std::size_t>(probe.body)];
+            probe_values_[k] = probe.field.of_cell(mean_stress(batch, state_.nodes.data(), probe.cell - batch.cell_begin));
+        } else {
+            probe_nodes_[k] = state_.nodes[static_cast<std::size_t>(probe.node)];
+        }
+    }
+}
+
+std::optional<Divergence> Solver::choose_step() {
+    if (state_.step >= state_.next_critical_step) evaluate_critical_step();
+    const double dt = step_size_.fixed ? *step_size_.fixed : step_size_.courant * state_.critical_step;
+    if (dt > state_.critical_step) {
+        const auto unit = setup_->scene.units.display(Quantity::time, dt);
+        return Divergence{fmt::format("the critical step fell to {:.4g} {}, below the fixed step of {:.4g} {}",
+                                      state_.critical_step * unit.scale, unit.label, dt * unit.scale, unit.label)};
+    }
+    // The acceleration at t_n acts from the middle of the step before to the middle of the step after.
+    kick_ = state_.step == 0 ? dt : 0.5 * (state_.dt + dt);
+    state_.dt = dt;
+    statistics_.dt_min = state_.step == 0 ? dt : std::min(statistics_.dt_min, dt);
+    statistics_.dt_max = std::max(statistics_.dt_max, dt);
+    return std::nullopt;
+}
+
+void Solver::evaluate_critical_step() {
+    const Node* nodes = state_.nodes.data();
+    std::fill(highest_.begin(), highest_.end(), 0.0);
+    team_.run([&](int part) {
+        const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
+        for (std::size_t k = begin; k < end; ++k) {
+            const ElementChunk& chunk = element_chunks_[k];
+            const Batch& batch = batches_[static_cast<std::size_t>(chunk.batch)];
+            double& most = highest_[static_cast<std::size_t>(part)];
+            most = std::max(most, batch.kernel.frequency(batch, nodes, chunk.begin, chunk.end));
+        }
+    });
+    state_.critical_step = 2 / std::sqrt(*std::max_element(highest_.begin(), highest_.end()));
+    statistics_.critical_step_min = std::min(statistics_.critical_step_min, state_.critical_step);
+
+    // The next evaluation comes before any element can have been strained by 5 %: no strain rate exceeds the range of all
+    // velocities over the smallest element size, which the fastest wave crosses in a critical step.
+    double lowest[2] = {nodes[0].v[0], nodes[0].v[1]}, most[2] = {lowest[0], lowest[1]};
+    for (const Node& node : state_.nodes) {
+        for (int d = 0; d < 2; ++d) {
+            lowest[d] = std::min(lowest[d], node.v[d]);
+            most[d] = std::max(most[d], node.v[d]);
+        }
+    }
+    double wave_speed = 0;
+    for (const Batch& batch : batches_)
+        wave_speed = std::max(wave_speed, std::sqrt(batch.material.p_wave / batch.material.density));
+    const double strain_per_step = std::hypot(most[0] - lowest[0], most[1] - lowest[1]) / wave_speed;
+    state_.next_critical_step = state_.step + static_cast<std::int64_t>(std::clamp(0.05 / (strain_per_step + 1e-6), 1.0, 64.0));
+}
+
+void Solver::predict() {
+    if (!loads_.none()) loads_.evaluate(state_.nodes.data(), mass_, state_.time, external_);
+    if (state_.step == 0) start_half_step_early();
+    const auto chunks = [this](int part) {
+        const auto [begin, end] = share_of(node_chunks_.size(), part, team_.size());
+        for (std::size_t k = begin; k < end; ++k) predict_chunk(node_chunks_[k], node_sums_[k]);
+    };
+    team_.run(chunks);
+
+    Ledger& ledger = state_.ledger;
+    momentum_before_ = ledger.body_momentum;
+    for (auto& momentum : ledger.body_momentum) momentum = {0, 0};
+    sums_ = {};
+    for (std::size_t k = 0; k < node_chunks_.size(); ++k) {
+        sums_ += node_sums_[k];
+        auto& momentum = ledger.body_momentum[static_cast<std::size_t>(node_chunks_[k].body)];
+        for (std::size_t d = 0; d < 2; ++d) momentum[d] += node_sums_[k].momentum[d];
+    }
+    if (!imposed_.prescribed.empty()) impose_velocities(sums_);
+}
+
+/// Velocities are given for t = 0 and wanted half a step earlier: known accelerations are taken back.
+void Solver::start_half_step_early() {
+    if (loads_.none()) return;
+    Ledger& ledger = state_.ledger;
+    ledger.initial_kinetic = 0;
+    for (std::size_t n = 0; n < mass_.size(); ++n) {
+        for (std::size_t d = 0; d < 2; ++d) {
+            double& v = state_.nodes[n].v[d];
+            v -= 0.5 * kick_ * inverse_mass_[2 * n + d] * external_[2 * n + d];
+            ledger.initial_kinetic += 0.5 * mass_[n] * v * v;
+        }
+    }
+    ledger.lowest = ledger.largest_kinetic = ledger.initial_kinetic;
+}
+
+void Solver::predict_chunk(const NodeChunk& chunk, NodeSums& sums) {
+    const double kick = kick_, dt = state_.dt;
+    const bool loaded = !loads_.none();
+    sums = {};
+    for (auto n = static_cast<std::size_t>(chunk.begin); n < static_cast<std::size_t>(chunk.end); ++n) {
+        double f[2] = {0, 0};
+        for (auto k = static_cast<std::size_t>(corner_begin_[n]); k < static_cast<std::size_t>(corner_begin_[n + 1]); ++k) {
+            f[0] += corners_[k][0];
+            f[1] += corners_[k][1];
+        }
+        Node& node = state_.nodes[n];
+        const double mass = mass_[n];
+        for (std::size_t d = 0; d < 2; ++d) {
+            const double before = node.v[d];
+            double net = -f[d];
+            if (loaded) {
+                net += external_[2 * n + d];
+                sums.external_before += external_[2 * n + d] * before;
+            }
+            const double after = before + kick * inverse_mass_[2 * n + d] * net;
+            if (loaded) sums.external_after += external_[2 * n + d] * after;
+            sums.kinetic += mass * before * after;
+            sums.internal_before += f[d] * before;
+            sums.internal_after += f[d] * after;
+            sums.momentum[d] += mass * after;
+            node.v[d] = after;
+            node.x[d] += dt * after;
+            internal_[2 * n + d] = f[d];
+        }
+    }
+}
+
+/// Prescribed velocities jump to their value at the middle of the step; what that takes is work of the outside.
+void Solver::impose_velocities(NodeSums& sums) {
+    for (const auto& p : imposed_.prescribed) {
+        const auto n = static_cast<std::size_t>(p.node), d = static_cast<std::size_t>(p.direction), k = 2 * n + d;
+        double& v = state_.nodes[n].v[d];
+        const double before = v, after = imposed_.functions[static_cast<std::size_t>(p.function)](state_.time + 0.5 * state_.dt);
+        const double change = after - before;
+        v = after;
+        state_.nodes[n].x[d] += state_.dt * change;
+        imposed_change_[k] = change;
+        const double load = loads_.none() ? 0 : external_[k];
+        const double reaction = mass_[n] * change / kick_ + internal_[k] - load;
+        sums.kinetic += mass_[n] * before * change;
+        sums.internal_after += internal_[k] * change;
+        sums.external_before += reaction * before;
+        sums.external_after += reaction * after + load * change;
+        state_.ledger.body_momentum[static_cast<std::size_t>(body_of_node_[n])][d] += mass_[n] * change;
+    }
+}
+
+/// The teaching mode: stresses at the uncorrected positions, from where they were last evaluated. The elements then hold the
+/// energy of a motion that the bodies never made: internal work is booked along it, as an audit of the elements would.
+void Solver::stresses_at_predicted_positions() {
+    sums_.internal_before = sums_.internal_after = 0;
+    for (std::size_t n = 0; n < state_.nodes.size(); ++n) {
+        for (std::size_t d = 0; d < 2; ++d) {
+            const double x = state_.nodes[n].x[d], force = internal_[2 * n + d];
+            double &from = state_.lagged_nodes[n].x[d], &v = state_.lagged_nodes[n].v[d];
+            sums_.internal_before += force * v;
+            v = (x - from) / state_.dt;
+            sums_.internal_after += force * v;
+            from = x;
+        }
+    }
+    integrate_elements(state_.lagged_nodes.data());
+}
+
+void Solver::resolve_contacts() {
+    if (pairs_.empty()) return;
+    PhaseTimer timer;
+    PredictedMotion motion{state_.dt, kick_, state_.nodes.data(), inverse_mass_.data(),
+                           contact_impulse_.data(), &touched_};
+    // Pair by pair: a later pair sees what the earlier ones corrected.
+    for (Pair& pair : pairs_) {
+        pair.scheme->find(motion);
+        timer.book(statistics_.seconds.contact_search);
+        pair.scheme->resolve(motion);
+        timer.book(statistics_.seconds.contact_solve);
+    }
+}
+
+std::array<double, 2> Solver::velocity_before(std::int32_t node) const {
+    std::array<double, 2> before{};
+    for (std::size_t d = 0; d < 2; ++d) {
+        const std::size_t k = 2 * static_cast<std::size_t>(node) + d;
+        const double net = (external_.empty() ? 0 : external_[k]) - internal_[k];
+        before[d] = state_.nodes[static_cast<std::size_t>(node)].v[d] - inverse_mass_[k] * (contact_impulse_[k] + kick_ * net);
+        if (!imposed_change_.empty()) before[d] -= imposed_change_[k];
+    }
+    return before;
+}
+
+/// Contact's share of the sums, once all pairs have corrected. @returns work of contact forces before t_n; the work after
+/// it goes to the ledger.
+double Solver::account_contacts(NodeSums& sums) {
+    Ledger& ledger = state_.ledger;
+    double work_before = 0;
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        Pair& pair = pairs_[p];
+        PairStatistics& statistics = statistics_.pairs[p];
+        pair.state = {};
+        for (const ContactRow& row : pair.scheme->rows()) {
+            if (row.force == 0) continue;
+            double rate_before = 0, rate_after = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto before = velocity_before(row.node[k]);
+                const double* after = state_.nodes[static_cast<std::size_t>(row.node[k])].v;
+                rate_before += row.share[k] * (row.normal[0] * before[0] + row.normal[1] * before[1]);
+                rate_after += row.share[k] * (row.normal[0] * after[0] + row.normal[1] * after[1]);
+            }
+            const double half_impulse = 0.5 * kick_ * row.force;
+            work_before += half_impulse * rate_before;
+            ledger.contact += half_impulse * (rate_before + rate_after);
+            ledger.pair_work[p] += half_impulse * (rate_before + rate_after);
+            for (std::size_t d = 0; d < 2; ++d) pair.state.force[d] += scale_ * row.force * row.normal[d];
+            ++pair.state.active;
+        }
+        if (pair.state.active > 0) {
+            pair.state.penetration = std::max(0.0, pair.scheme->penetration_left(state_.nodes.data()));
+            statistics.max_penetration = std::max(statistics.max_penetration, pair.state.penetration);
+            statistics.peak_force = std::max(statistics.peak_force, std::hypot(pair.state.force[0], pair.state.force[1]));
+            for (std::size_t d = 0; d < 2; ++d) statistics.impulse[d] += kick_ * pair.state.force[d];
+            statistics.negative_forces += pair.scheme->negative_forces();
+        }
+        count_events(pair, statistics);
+    }
+
+    // Changes of velocity by contact, on the sums that the prediction made without it.
+    for (const std::int32_t node : touched_) {
+        const auto n = static_cast<std::size_t>(node);
+        if (contact_impulse_[2 * n] == 0 && contact_impulse_[2 * n + 1] == 0) continue;  // seen already
+        const auto before = velocity_before(node);
+        for (std::size_t d = 0; d < 2; ++d) {
+            const std::size_t k = 2 * n + d;
+            const double impulse = contact_impulse_[k], change = inverse_mass_[k] * impulse;
+            if (inverse_mass_[k] > 0) {
+                sums.kinetic += before[d] * impulse;
+                ledger.body_momentum[static_cast<std::size_t>(body_of_node_[n])][d] += impulse;
+            } else {
+                // An imposed velocity does not yield: its support takes the impulse and does the work.
+                sums.external_before -= impulse / kick_ * before[d];
+                sums.external_after -= impulse / kick_ * state_.nodes[n].v[d];
+            }
+            if (!setup_->scene.lagged) sums.internal_after += internal_[k] * change;
+            if (!external_.empty()) sums.external_after += external_[k] * change;
+            contact_impulse_[k] = 0;
+        }
+    }
+    touched_.clear();
+    return work_before;
+}
+
+void Solver::count_events(Pair& pair, PairStatistics& statistics) const {
+    const bool was_active = !pair.active.empty();
+    for (const ContactRow& row : pair.scheme->rows()) {
+        if (row.force == 0) continue;
+        char& flag = pair.flags[static_cast<std::size_t>(row.master)];
+        if ((flag & 1) == 0) ++statistics.closings;
+        flag = static_cast<char>(flag | 2);
+    }
+    for (const std::int32_t master : pair.active) {
+        char& flag = pair.flags[static_cast<std::size_t>(master)];
+        if ((flag & 2) == 0) ++statistics.openings;
+        flag = static_cast<char>(flag & 2);
+    }
+    pair.active.clear();
+    for (const ContactRow& row : pair.scheme->rows()) {
+        if (row.force == 0) continue;
+        pair.flags[static_cast<std::size_t>(row.master)] = 1;
+        pair.active.push_back(row.master);
+    }
+    if (was_active != !pair.active.empty()) ++statistics.events;
+}
+
+std::optional<Divergence> Solver::close_ledger() {
+    Ledger& ledger = state_.ledger;
+    const double contact = ledger.contact;
+    const double contact_before = pairs_.empty() ? 0 : account_contacts(sums_);
+
+    const double half = 0.5 * kick_;
+    const double internal = ledger.internal + half * sums_.internal_before;
+    const double loads = ledger.loads + half * sums_.external_before;
+    ledger.internal += half * (sums_.internal_before + sums_.internal_after);
+    ledger.loads += half * (sums_.external_before + sums_.external_after);
+    const double kinetic = 0.5 * sums_.kinetic, total = kinetic + internal - loads;
+    ledger.largest_kinetic = std::max(ledger.largest_kinetic, kinetic);
+    ledger.growth = std::max(ledger.growth, total - ledger.lowest);
+    ledger.lowest = std::min(ledger.lowest, total);
+    ledger.loss = std::max(ledger.loss, ledger.initial_kinetic - total);
+    ledger.largest_load = std::max(ledger.largest_load, std::abs(loads));
+
+    Energies& energy = ledger.present;
+    energy.kinetic = scale_ * kinetic;
+    energy.internal = scale_ * internal;
+    energy.hourglass = scale_ * ledger.hourglass;
+    energy.viscous = scale_ * ledger.viscous;
+    energy.contact = scale_ * (contact + contact_before);
+    energy.external = scale_ * (ledger.initial_kinetic + loads);
+    for (std::size_t body = 0; body < body_mass_.size(); ++body)
+        for (std::size_t d = 0; d < 2; ++d)
+            ledger.body_velocity[body][d] =
+                0.5 * (momentum_before_[body][d] + ledger.body_momentum[body][d]) / body_mass_[body];
+    fill_history_row();
+
+    if (!std::isfinite(total)) return Divergence{locate_non_finite() + " is no longer finite at " + moment()};
+    const double reference = std::max(ledger.initial_kinetic, ledger.largest_load);
+    if (total - ledger.initial_kinetic > setup_->scene.energy_growth_limit * reference)
+        return Divergence{fmt::format("energy grew by {:.3g} % of the input at {}; the limit is {:.3g} %; most is in {}",
+                                      100 * (total - ledger.initial_kinetic) / reference, moment(),
+                                      100 * setup_->scene.energy_growth_limit, locate_most_energy())};
+    return std::nullopt;
+}
+
+std::optional<Divergence> Solver::internal_forces() {
+    if (!setup_->scene.lagged) integrate_elements(state_.nodes.data());
+    state_.time += state_.dt;
+    ++state_.step;
+    double inverted = 0;
+    for (const KernelSums& sums : element_sums_) {
+        for (int lane = 0; lane < block_lanes; ++lane) {
+            state_.ledger.hourglass += sums.hourglass[lane];
+            state_.ledger.viscous += sums.viscous[lane];
+            inverted += sums.inverted[lane];
+        }
+    }
+    if (inverted > 0) return locate_inverted();
+    return std::nullopt;
+}
+
+void Solver::integrate_elements(const Node* nodes) {
+    team_.run([&](int part) {
+        const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
+        for (std::size_t k = begin; k < end; ++k) {
+            const ElementChunk& chunk = element_chunks_[k];
+            Batch& batch = batches_[static_cast<std::size_t>(chunk.batch)];
+            element_sums_[k] = {};
+            batch.kernel.forces(batch, nodes, state_.dt, chunk.begin, chunk.end, element_sums_[k]);
+        }
+    });
+}
+
+std::string Solver::moment() const {
+    const auto unit = setup_->scene.units.display(Quantity::time, state_.time);
+    return fmt::format("{:.6g} {}", state_.time * unit.scale, unit.label);
+}
+
+std::string Solver::element_name(const Batch& batch, std::int32_t element) const {
+    return fmt::format("element {} of body '{}'", element, setup_->mesh.bodies[static_cast<std::size_t>(batch.body)].name);
+}
+
+Divergence Solver::locate_inverted() const {
+    const Node* nodes = setup_->scene.lagged ? state_.lagged_nodes.data() : state_.nodes.data();
+    for (const Batch& batch : batches_) {
+        for (std::int32_t e = 0; e < batch.count; ++e) {
+            const Cell& cell = setup_->mesh.cells[static_cast<std::size_t>(batch.cell_begin + e)];
+            if (is_inverted(cell, nodes, batch.kind, batch.geometry))
+                return {element_name(batch, e) + " turned inside out at " + moment()};
+        }
+    }
+    return {"an element turned inside out at " + moment()};
+}
+
+std::string Solver::locate_non_finite() const {
+    for (const Batch& batch : batches_) {
+        for (std::int32_t e = 0; e < batch.count; ++e) {
+            for (const std::int32_t node : setup_->mesh.cells[static_cast<std::size_t>(batch.cell_begin + e)]) {
+                if (node < 0) continue;
+                const auto& [x, v] = state_.nodes[static_cast<std::size_t>(node)];
+                if (!std::isfinite(x[0] + x[1] + v[0] + v[1])) return element_name(batch, e);
+            }
+        }
+    }
+    return "the energy";
+}
+
+std::string Solver::locate_most_energy() const {
+    std::string name;
+    double most = -1;
+    for (const Batch& batch : batches_) {
+        for (std::int32_t e = 0; e < batch.count; ++e) {
+            const double stored = stored_energy(batch, state_.nodes.data(), e);
+            if (stored > most) {
+                most = stored;
+                name = element_name(batch, e);
+            }
+        }
+    }
+    return name;
+}
+
+std::vector<HistoryColumn> Solver::history_columns(const Scene& scene) {
+    const auto direction = direction_names(scene.geometry);
+    // The axis of an axisymmetric scene is its main direction, so it is named first.
+    const std::array<std::size_t, 2> order = scene.geometry == Geometry::axisymmetric ? std::array<std::size_t, 2>{1, 0}
+                                                                                      : std::array<std::size_t, 2>{0, 1};
+    std::vector<HistoryColumn> columns{{"time", Quantity::time}};
+    for (const ContactPair& pair : scene.contacts) {
+        for (const std::size_t d : order) columns.push_back({"contact." + pair.name + "." + direction[d], Quantity::force});
+        columns.push_back({"contact." + pair.name + ".active", Quantity::dimensionless});
+        columns.push_back({"contact." + pair.name + ".penetration", Quantity::length});
+    }
+    for (const Body& body : scene.bodies)
+        for (const std::size_t d : order)
+            columns.push_back({"body." + body.name + ".velocity." + direction[d], Quantity::velocity});
+    for (const char* energy : {"kinetic", "internal", "hourglass", "viscous", "contact", "external", "balance"})
+        columns.push_back({std::string("energy.") + energy, Quantity::energy});
+    columns.push_back({"step.dt", Quantity::time});
+    columns.push_back({"step.critical", Quantity::time});
+    for (const Probe& probe : scene.probes)
+        for (const std::string& quantity : probe.record)
+            columns.push_back({"probe." + probe.name + "." + quantity, find_field(scene.geometry, quantity).quantity});
+    return columns;
+}
+
+void Solver::fill_history_row() {
+    const bool axisymmetric = setup_->scene.geometry == Geometry::axisymmetric;
+    const std::size_t first = axisymmetric ? 1 : 0, second = 1 - first;
+    auto to = row_.begin();
+    const auto put = [&](double value) { *to++ = value; };
+    put(state_.time);
+    for (const Pair& pair : pairs_) {
+        put(pair.state.force[first]);
+        put(pair.state.force[second]);
+        put(pair.state.active);
+        put(pair.state.penetration);
+    }
+    for (const auto& velocity : state_.ledger.body_velocity) {
+        put(velocity[first]);
+        put(velocity[second]);
+    }
+    const Energies& e = state_.ledger.present;
+    for (const double energy : {e.kinetic, e.internal, e.hourglass, e.viscous, e.contact, e.external, e.balance()}) put(energy);
+    put(state_.dt);
+    put(state_.critical_step);
+    for (std::size_t k = 0; k < probes_.size(); ++k) {
+        const ProbeReading& probe = probes_[k];
+        if (probe.cell >= 0) {
+            put(probe_values_[k]);
+            continue;
+        }
+        const auto n = static_cast<std::size_t>(probe.node);
+        const Node &before = probe_nodes_[k], &after = state_.nodes[n];
+        const double velocity[2] = {0.5 * (before.v[0] + after.v[0]), 0.5 * (before.v[1] + after.v[1])};
+        put(probe.field.of_node(before.x, velocity, setup_->mesh.nodes[n].data()));
+    }
+}
+
+}  // namespace percuss
