@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+namespace percuss::render {
+
+class RenderError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// RGB picture, 3 bytes a pixel, top row first.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> pixels;
+};
+
+/// @throws RenderError when the file cannot be written.
+void write_png(const Image& image, const std::filesystem::path& file);
+[[nodiscard]] Image read_png(const std::filesystem::path& file);
+
+}  // namespace percuss::render

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "scene/scene.hpp"
+
+namespace percuss::render {
+
+/// How long a force is drawn.
+struct ForceScaling {
+    ForceScale kind = ForceScale::automatic;
+    double reference = 0;         ///< force of the reference arrow [force]; 0: nothing to draw
+    double reference_length = 0;  ///< its length [pixels]
+
+    static constexpr double cut_off = 0.01;  ///< fraction of the largest force below which no arrow is drawn
+    static constexpr double decades = 3;     ///< shown by logarithmic arrows, down from the reference
+
+    /// Pixels for a force of this magnitude; 0 when it is negligible.
+    [[nodiscard]] double length(double force) const;
+};
+
+/// @param largest force on one node in the run so far [force]. @param longest pixels given to the largest
+/// force. The reference is a round number, or the scene's; a fixed one keeps its length whatever the forces
+/// do.
+[[nodiscard]] ForceScaling make_force_scaling(const ViewOptions& options, double largest, double longest);
+
+}  // namespace percuss::render

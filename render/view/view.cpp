@@ -1,0 +1,311 @@
+#include "view/view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <vtkCamera.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include "canvas.hpp"
+#include "context/render_window.hpp"
+#include "figures/plot.hpp"
+#include "run/fields.hpp"
+#include "view/bodies.hpp"
+#include "view/colour_map.hpp"
+#include "view/colour_range.hpp"
+#include "view/force_scale.hpp"
+#include "view/layout.hpp"
+#include "view/legend.hpp"
+#include "view/motion_labels.hpp"
+#include "view/side_charts.hpp"
+#include "view/surface.hpp"
+
+namespace percuss::render {
+
+struct View::Impl {
+    Impl(Context& context, std::shared_ptr<const RunSetup> run, ViewOptions chosen);
+    ~Impl() { window->Finalize(); }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    void apply_options(ViewOptions chosen);
+    Image draw(const Snapshot& snapshot, const History* history);
+    void follow(const Snapshot& snapshot);
+    void colour(const Snapshot& snapshot);
+    void place_camera();
+    [[nodiscard]] double mean_cell_size() const;
+    void show_charts(const Snapshot& snapshot, const History* history);
+    void paint_ground(Canvas& canvas) const;
+    void paint_overlay(Canvas& canvas) const;
+    void paint_title(Canvas& canvas) const;
+    std::vector<Rect> paint_forces(Canvas& canvas) const;
+
+    std::shared_ptr<const RunSetup> setup;
+    ViewOptions options;
+    FieldInfo field;
+    double start_cell_size = 0;  // side of a mean cell of the undeformed mesh [length]
+    Plane plane;
+    vtkSmartPointer<RenderWindow> window;
+    vtkNew<vtkRenderer> ground, stage, overlay;  // axis line; mesh, clipped to its rectangle; ink and charts
+    vtkNew<CanvasItem> ground_ink, overlay_ink;
+    vtkNew<vtkContextActor> ground_actor, overlay_actor;
+    std::unique_ptr<Surface> surface;
+    vtkSmartPointer<vtkLookupTable> colours;
+    vtkSmartPointer<vtkImageData> strip;
+    std::vector<std::unique_ptr<Plot>> plots;
+
+    // What the run has shown so far; only grows, so that a film keeps its scales.
+    double largest_force = 0, fastest = 0;
+    std::array<double, 4> box{};
+
+    // Of the picture being drawn.
+    const Snapshot* now = nullptr;
+    ColourRange range{};
+    Layout layout;
+    Fit fit;
+    double cell_size = 0;  // [pixels]
+    ForceScaling forces;
+};
+
+View::Impl::Impl(Context& context, std::shared_ptr<const RunSetup> run, ViewOptions chosen)
+    : setup(std::move(run)), window(RenderWindow::make(context, chosen.size[0], chosen.size[1], 1)) {
+    window->SetNumberOfLayers(3);
+    int layer = 0;
+    for (vtkRenderer* renderer : {ground.Get(), stage.Get(), overlay.Get()}) {
+        renderer->SetLayer(layer++);
+        renderer->SetBackground(1, 1, 1);
+        renderer->SetBackgroundAlpha(1);
+        window->AddRenderer(renderer);
+    }
+    stage->GetActiveCamera()->ParallelProjectionOn();
+    ground_ink->painter = [this](Canvas& canvas) { paint_ground(canvas); };
+    overlay_ink->painter = [this](Canvas& canvas) { paint_overlay(canvas); };
+    ground_actor->GetScene()->AddItem(ground_ink);
+    overlay_actor->GetScene()->AddItem(overlay_ink);
+    ground->AddActor(ground_actor);
+    overlay->AddActor(overlay_actor);
+    for (const Body& body : setup->scene.bodies)
+        fastest = std::max(fastest, std::hypot(body.velocity[0], body.velocity[1]));
+    start_cell_size = mean_cell_size();
+    apply_options(std::move(chosen));
+}
+
+void View::Impl::apply_options(ViewOptions chosen) {
+    if (chosen.size[0] < 64 || chosen.size[1] < 64)
+        throw RenderError("a picture needs at least 64 x 64 pixels");
+    const Scene& scene = setup->scene;
+    try {
+        field = find_field(scene.geometry, chosen.field);
+    } catch (const std::invalid_argument& error) {
+        throw RenderError(error.what());
+    }
+    colours = make_colour_map(chosen.colour_map);
+    strip = colour_strip(*colours);
+    const Plane wanted{chosen.up, chosen.mirror && scene.geometry == Geometry::axisymmetric};
+    if (!surface || wanted.up != plane.up || wanted.mirrored != plane.mirrored) {
+        plane = wanted;
+        surface.reset();
+        surface = std::make_unique<Surface>(setup->mesh, plane, *stage);
+        box = initial_box(*setup, plane);
+    }
+    options = std::move(chosen);
+    window->resize(options.size[0], options.size[1]);
+}
+
+void View::Impl::follow(const Snapshot& snapshot) {
+    box = grown(box, box_around(body_boxes(snapshot, plane)));
+    for (const ContactForce& contact : snapshot.contact_forces) {
+        const double force = std::hypot(contact.force[0], contact.force[1]);
+        if (std::isfinite(force)) largest_force = std::max(largest_force, force);
+    }
+    for (const BodyState& body : snapshot.bodies) {
+        const double speed = std::hypot(body.velocity[0], body.velocity[1]);
+        if (std::isfinite(speed)) fastest = std::max(fastest, speed);
+    }
+}
+
+void View::Impl::colour(const Snapshot& snapshot) {
+    const std::vector<double> values = field_values(snapshot, field);
+    range = colour_range(values, options, options.colour_map == "coolwarm", natural_size(*setup, field));
+    // VTK needs a span; the middle of the table then stands for a constant field.
+    const double half = range[1] > range[0] ? 0 : std::max(1.0, std::abs(range[0]));
+    surface->update(snapshot.position, values, field.per_cell);
+    surface->set_colours(colours, {range[0] - half, range[1] + half});
+    // Edges fade as they come closer together than the eye resolves.
+    const double opacity = std::clamp((cell_size / layout.scale - 1.5) / 10, 0.0, 0.55);
+    surface->set_edges(options.edges && opacity > 0.02, opacity);
+}
+
+double View::Impl::mean_cell_size() const {
+    double area = 0;
+    for (const Cell& cell : setup->mesh.cells) {
+        const auto corner = [&](std::size_t k) {
+            return setup->mesh.nodes[static_cast<std::size_t>(cell[k])];
+        };
+        const auto last = static_cast<std::size_t>(corner_count(cell) - 1);
+        const Vec2 a = corner(last == 3 ? 2 : 1) - corner(0), b = corner(last) - corner(last == 3 ? 1 : 0);
+        area += 0.5 * std::abs(a[0] * b[1] - a[1] * b[0]);  // half the product of the diagonals
+    }
+    return std::sqrt(area / std::max(1, setup->mesh.cell_count()));
+}
+
+void View::Impl::place_camera() {
+    const double width = options.size[0], height = options.size[1];
+    const Rect& rect = layout.model;
+    stage->SetViewport(rect.x / width, rect.y / height, rect.right() / width, rect.top() / height);
+    const double x = (rect.x + 0.5 * rect.width - fit.offset[0]) / fit.pixels_per_unit;
+    const double y = (rect.y + 0.5 * rect.height - fit.offset[1]) / fit.pixels_per_unit;
+    vtkCamera* camera = stage->GetActiveCamera();
+    camera->SetFocalPoint(x, y, 0);
+    camera->SetPosition(x, y, 10);
+    camera->SetViewUp(0, 1, 0);
+    camera->SetParallelScale(0.5 * rect.height / fit.pixels_per_unit);
+    camera->SetClippingRange(1, 20);
+}
+
+void View::Impl::show_charts(const Snapshot& snapshot, const History* history) {
+    while (plots.size() < layout.charts.size())
+        plots.push_back(std::make_unique<Plot>(*overlay_actor->GetScene(), true));
+    for (auto& plot : plots) plot->hide();
+    if (layout.charts.empty()) return;
+    const DisplayUnit time = setup->scene.units.display(Quantity::time, setup->scene.duration);
+    for (std::size_t i = 0; i < layout.charts.size(); ++i) {
+        try {
+            const Chart chart =
+                make_side_chart(options.charts[i], setup->scene, *history, snapshot.time, time);
+            plots[i]->show(chart, layout.charts[i], layout.scale, time.scale * snapshot.time);
+        } catch (const std::invalid_argument& error) {
+            throw RenderError(error.what());
+        }
+    }
+}
+
+Image View::Impl::draw(const Snapshot& snapshot, const History* history) {
+    now = &snapshot;
+    follow(snapshot);
+    std::array<double, 4> shown = box;
+    if (options.window) {
+        const auto& chosen = *options.window;
+        const auto a = plane(chosen[0], chosen[1]), b = plane(chosen[2], chosen[3]);
+        shown = {a[0], a[1], b[0], b[1]};
+    }
+    const bool charts = history != nullptr && history->rows() > 0;
+    layout = make_layout(options.size[0], options.size[1],
+                         (shown[2] - shown[0]) / std::max(shown[3] - shown[1], 1e-300),
+                         charts ? options.charts.size() : 0);
+    const double s = layout.scale;
+    // Room for the velocity labels around the bodies; a window of one's own is filled.
+    const bool labels = options.velocities && !options.window;
+    fit = fit_box(shown, layout.model, labels ? std::array{34 * s, 40 * s} : std::array{8 * s, 8 * s});
+    forces = make_force_scaling(options, largest_force, 0.13 * options.size[1]);
+    cell_size = fit.pixels_per_unit * start_cell_size;
+    place_camera();
+    colour(snapshot);
+    show_charts(snapshot, charts ? history : nullptr);
+    ground_actor->GetScene()->SetDirty(true);
+    overlay_actor->GetScene()->SetDirty(true);
+    Image image = window->grab();
+    now = nullptr;
+    return image;
+}
+
+void View::Impl::paint_ground(Canvas& canvas) const {
+    if (setup->scene.geometry != Geometry::axisymmetric) return;
+    const Rect& rect = layout.model;
+    const std::size_t across = plane.mirror_axis();
+    const double s = layout.scale, at = fit.offset[across];
+    const double begin = across == 0 ? rect.y : rect.x, end = across == 0 ? rect.top() : rect.right();
+    if (at < (across == 0 ? rect.x : rect.y) || at > (across == 0 ? rect.right() : rect.top())) return;
+    // Long and short dashes: a drawing's centre line.
+    for (double from = begin; from < end; from += 26 * s)
+        for (const auto& [start, length] : {std::pair{0.0, 16.0}, std::pair{20.0, 2.0}}) {
+            const double a = from + start * s, b = std::min(a + length * s, end);
+            if (a < b && across == 0) canvas.line(at, a, at, b, ink::line, s);
+            if (a < b && across == 1) canvas.line(a, at, b, at, ink::line, s);
+        }
+}
+
+std::vector<Rect> View::Impl::paint_forces(Canvas& canvas) const {
+    std::vector<Rect> covered;
+    const int halves = plane.mirrored ? 2 : 1;
+    // Arrows of neighbouring nodes stay apart.
+    const double thickness = std::clamp(0.32 * cell_size, layout.scale, 2.4 * layout.scale);
+    // Slave forces first: where both are drawn, the master's are on top.
+    for (const bool master : {false, true})
+        for (const ContactForce& contact : now->contact_forces) {
+            if (contact.master != master) continue;
+            const double force = std::hypot(contact.force[0], contact.force[1]);
+            const double length = forces.length(force);
+            if (length < 5 * layout.scale) continue;
+            const auto node = 2 * static_cast<std::size_t>(contact.node);
+            auto place = plane(now->position[node], now->position[node + 1]);
+            auto direction = plane(contact.force[0] / force, contact.force[1] / force);
+            for (int half = 0; half < halves; ++half) {
+                if (half == 1) {
+                    place[plane.mirror_axis()] *= -1;
+                    direction[plane.mirror_axis()] *= -1;
+                }
+                const auto [x, y] = fit(place);
+                if (!layout.model.contains({x, y, 0, 0})) continue;
+                const double dx = length * direction[0], dy = length * direction[1];
+                canvas.arrow(x, y, dx, dy, master ? master_force_colour : slave_force_colour, thickness);
+                covered.push_back({std::min(x, x + dx), std::min(y, y + dy), std::abs(dx), std::abs(dy)});
+            }
+        }
+    return covered;
+}
+
+void View::Impl::paint_title(Canvas& canvas) const {
+    const Scene& scene = setup->scene;
+    const double s = layout.scale, y = layout.title.y + 0.5 * layout.title.height;
+    // One unit for a whole run: "t = 0.4 µs" and "t = 380 ns" in one film would confuse.
+    const DisplayUnit unit = scene.units.display(Quantity::time, std::max(scene.duration, now->time));
+    const double largest = unit.scale * std::max(scene.duration, now->time);
+    const int decimals =
+        largest > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(largest))), 0, 6) : 1;
+    const std::string time = fmt::format("t = {:.{}f} {}", unit.scale * now->time, decimals, unit.label);
+    const TextStyle style{20 * s, ink::text, Align::right, VerticalAlign::centre, true};
+    canvas.text(layout.title.right(), y, time, style);
+    const double room = layout.title.width - canvas.text_size(time, style)[0] - 30 * s;
+    TextStyle title{20 * s, ink::text};
+    const double width = canvas.text_size(scene.title, title)[0];
+    if (width > room) title.size *= std::max(room / width, 0.4);
+    canvas.text(layout.title.x, y, scene.title, title);
+    if (now->status == RunStatus::diverged && !now->message.empty())
+        canvas.text(layout.title.x, y - 24 * s, now->message, {14 * s, 0xb00020});
+}
+
+void View::Impl::paint_overlay(Canvas& canvas) const {
+    const Scene& scene = setup->scene;
+    const double s = layout.scale;
+    paint_title(canvas);
+    const Rect& legend = layout.legend;
+    const double column = std::min(0.36 * legend.width, 420 * s);
+    paint_colour_bar(canvas, {legend.x, legend.y, column, legend.height}, s, field.title, field.quantity,
+                     range, scene.units, strip);
+    if (options.forces && !scene.contacts.empty())
+        paint_force_legend(canvas, {legend.x + column + 44 * s, legend.y, 0, legend.height}, s, forces,
+                           scene.units);
+    paint_scale_bar(canvas, legend.right(), legend.y + 32.5 * s, s, fit.pixels_per_unit, scene.units);
+    std::vector<Rect> taken;
+    if (options.forces) taken = paint_forces(canvas);
+    if (options.velocities)
+        paint_motion(canvas, *now, plane, fit, layout.model, s, fastest, 0.09 * options.size[1],
+                     std::move(taken));
+}
+
+View::View(Context& context, std::shared_ptr<const RunSetup> setup, ViewOptions options)
+    : impl_(std::make_unique<Impl>(context, std::move(setup), std::move(options))) {}
+
+View::~View() = default;
+
+Image View::draw(const Snapshot& snapshot, const History* history) { return impl_->draw(snapshot, history); }
+
+void View::set_options(const ViewOptions& options) { impl_->apply_options(options); }
+
+}  // namespace percuss::render
