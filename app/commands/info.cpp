@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "effects.hpp"
+#include "mesh/body_volume.hpp"
+#include "options.hpp"
+#include "report.hpp"
+#include "run/engine.hpp"
+
+namespace percuss::app {
+namespace {
+
+std::string_view geometry_name(Geometry geometry) {
+    switch (geometry) {
+        case Geometry::axisymmetric:
+            return "axisymmetric";
+        case Geometry::plane_strain:
+            return "plane strain";
+        case Geometry::plane_stress:
+            return "plane stress";
+    }
+    return "";
+}
+
+std::string_view kind_name(ElementKind kind) {
+    switch (kind) {
+        case ElementKind::quad_one_point:
+            return "one-point quads";
+        case ElementKind::quad_mean_dilatation:
+            return "mean-dilatation quads";
+        case ElementKind::triangle:
+            return "triangles";
+    }
+    return "";
+}
+
+double density_of(const Scene& scene, const std::string& material) {
+    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                    [&](const Material& candidate) { return candidate.name == material; });
+    return found == scene.materials.end() ? 0 : found->density;
+}
+
+void print_bodies(const RunSetup& setup) {
+    const Scene& scene = setup.scene;
+    fmt::print("\n{:<16} {:>9} {:>9}  {:<22} {:<12} {:>12}  {}\n", "body", "elements", "nodes", "kind",
+               "material", "mass", "initial velocity");
+    double total = 0;
+    for (std::size_t b = 0; b < setup.mesh.bodies.size(); ++b) {
+        const MeshBody& meshed = setup.mesh.bodies[b];
+        const Body& body = scene.bodies[b];
+        const double mass = density_of(scene, body.material) *
+                            body_volume(setup.mesh, meshed, scene.geometry, scene.thickness);
+        total += mass;
+        const std::string unit = scene.units.label(Quantity::velocity);
+        fmt::print("{:<16} {:>9} {:>9}  {:<22} {:<12} {:>12}  ({:.4g}, {:.4g}) {}\n", body.name,
+                   meshed.cell_end - meshed.cell_begin, meshed.node_end - meshed.node_begin,
+                   kind_name(meshed.kind), body.material, with_unit(scene.units, Quantity::mass, mass),
+                   body.velocity[0], body.velocity[1], unit);
+    }
+    fmt::print("{:<16} {:>9} {:>9}  {:<22} {:<12} {:>12}\n", "together", setup.mesh.cell_count(),
+               setup.mesh.node_count(), "", "", with_unit(scene.units, Quantity::mass, total));
+}
+
+void print_step(const Scene& scene, double critical_step) {
+    const double dt = scene.step.fixed.value_or(scene.step.courant * critical_step);
+    fmt::print("\nduration       {}\n", with_unit(scene.units, Quantity::time, scene.duration));
+    fmt::print("critical step  {} (at the start)\n", with_unit(scene.units, Quantity::time, critical_step));
+    fmt::print("step           {}, {:.3g} of critical{}\n", with_unit(scene.units, Quantity::time, dt),
+               dt / critical_step, scene.step.fixed ? ", fixed" : "");
+    fmt::print("steps to come  {}{:.0f}\n", scene.step.fixed ? "" : "about ",
+               std::ceil(scene.duration / dt - 1e-9));
+}
+
+int info(const SceneOptions& options) {
+    Engine engine(load(options));
+    const auto snapshot = engine.snapshot();
+    const RunSetup& setup = *snapshot->setup;
+    const Scene& scene = setup.scene;
+    fmt::print("{}: {}\n{}, units {}, {}, {}\n", options.file, scene.title, geometry_name(scene.geometry),
+               scene.units.length_name(), scene.units.time_name(), scene.units.mass_name());
+    print_bodies(setup);
+    for (const ContactPair& pair : scene.contacts) {
+        const auto surface = [](const SurfaceName& name) {
+            return name.edge.empty() ? name.body : name.body + "." + name.edge;
+        };
+        fmt::print("contact {}: master nodes of {} on slave sides of {}\n", pair.name, surface(pair.master),
+                   surface(pair.slave));
+    }
+    print_step(scene, snapshot->critical_step);
+    fmt::print("\n{:<34} {:<4} {}\n", "effect", "", "cost");
+    for (const EffectInfo& effect : effects_of(scene)) {
+        fmt::print("{:<34} {:<4} {}\n", effect.name, effect.on ? "on" : "off", effect.cost);
+    }
+    return 0;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Job& job) {
+    auto options = std::make_shared<SceneOptions>();
+    CLI::App& command =
+        *app.add_subcommand("info", "Bodies, masses, critical step, steps to come, effects and their cost");
+    add_scene_options(command, *options);
+    command.callback([&job, options] { job = [options] { return info(*options); }; });
+}
+
+}  // namespace percuss::app
