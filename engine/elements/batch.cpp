@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "elements/kernels.hpp"
+#include "materials/johnson_cook_yield.hpp"
 
 namespace percuss {
 namespace {
@@ -54,10 +56,20 @@ ElasticConstants elastic_constants(const Material& material, const Body& body, G
     return c;
 }
 
+/// Strain, yield stress and temperature of a point that has not flowed yet.
+std::array<double, 3> initial_law_state(const Plasticity& plasticity) {
+    if (const auto* voce = std::get_if<VoceHardening>(&plasticity)) return {0, voce->yield, 0};
+    if (const auto* table = std::get_if<TabulatedHardening>(&plasticity)) return {0, table->points.front().second, 0};
+    const auto* law = std::get_if<JohnsonCook>(&plasticity);
+    return law ? std::array{0.0, static_yield_stress(*law, 0, law->initial_temperature), law->initial_temperature}
+               : std::array{0.0, 0.0, 0.0};
+}
+
 struct MeanState {
     double pressure;  // mean stress of the bulk law
     double m, d, s;   // averaged deviator
     double deviator_square;  // volume average of s:s
+    std::array<double, 3> law{};  // plastic laws: strain, yield stress, temperature
 };
 
 MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element) {
@@ -72,8 +84,11 @@ MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element
     const double initial = batch.volume[static_cast<std::size_t>(block * block_lanes + lane)];
     const double ratio = cell_volume(cell, nodes, batch.geometry) / initial;
 
-    MeanState mean{0.5 * batch.material.bulk * (ratio - 1 / ratio), 0, 0, 0, 0};
-    const auto add = [&](int first, double share) {
+    MeanState mean{0.5 * batch.material.bulk * (ratio - 1 / ratio), 0, 0, 0, 0, {}};
+    const auto add = [&](int point, double share) {
+        const int first = 3 * point;
+        for (int k = 0; k < batch.kernel.law_size; ++k)
+            mean.law[static_cast<std::size_t>(k)] += share * at(batch.kernel.law_begin + point * batch.kernel.law_size + k);
         const double m = at(first), d = at(first + 1), s = at(first + 2);
         mean.m += share * m;
         mean.d += share * d;
@@ -90,7 +105,7 @@ MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element
     constexpr std::array<int, 4> stored{0, 3, 1, 2};
     std::size_t point = 0;
     integrate_quad(x, batch.geometry,
-                   [&](const auto&, double weight) { add(3 * stored[point++], weight / (ratio * initial)); });
+                   [&](const auto&, double weight) { add(stored[point++], weight / (ratio * initial)); });
     return mean;
 }
 
@@ -151,14 +166,16 @@ Batch make_batch(const Scene& scene, const Mesh& mesh, std::int32_t body, const 
     batch.count = part.cell_end - part.cell_begin;
     batch.corners = part.kind == ElementKind::triangle ? 3 : 4;
     batch.material = elastic_constants(*material, definition, scene.geometry);
-    batch.kernel = find_kernel({batch.kind, batch.geometry, definition.hourglass > 0, material->viscosity.has_value()},
+    batch.kernel = find_kernel({batch.kind, batch.geometry, definition.hourglass > 0, material->viscosity.has_value(),
+                                static_cast<PlasticLaw>(material->plasticity.index())},
                                best_instruction_set());
 
     const auto blocks = static_cast<std::size_t>(batch.blocks()), corners = static_cast<std::size_t>(batch.corners);
     batch.nodes.assign(blocks * corners * block_lanes, 0);
     batch.volume.assign(blocks * block_lanes, 1);
     batch.inverse_mass.assign(blocks * corners * 2 * block_lanes, 0);
-    batch.state.assign(blocks * static_cast<std::size_t>(batch.kernel.state_size) * block_lanes, 0);
+    batch.plasticity = material->plasticity;
+    reset_state(batch);
     batch.force.assign(blocks * corners * 2 * block_lanes, 0);
     for (std::int32_t element = 0; element < batch.count; ++element) {
         const Cell& cell = mesh.cells[static_cast<std::size_t>(batch.cell_begin + element)];
@@ -176,6 +193,27 @@ Batch make_batch(const Scene& scene, const Mesh& mesh, std::int32_t body, const 
         batch.volume[block * block_lanes + lane] = volume;
     }
     return batch;
+}
+
+void reset_state(Batch& batch) {
+    const auto size = static_cast<std::size_t>(batch.kernel.state_size);
+    batch.state.assign(static_cast<std::size_t>(batch.blocks()) * size * block_lanes, 0);
+    if (batch.kernel.law_size == 0) return;
+    const std::array<double, 3> start = initial_law_state(batch.plasticity);
+    for (std::size_t block = 0; block < static_cast<std::size_t>(batch.blocks()); ++block) {
+        for (int component = batch.kernel.law_begin; component < batch.kernel.state_size; ++component) {
+            const int k = (component - batch.kernel.law_begin) % batch.kernel.law_size;
+            const auto first = batch.state.begin() +
+                               static_cast<std::ptrdiff_t>((block * size + static_cast<std::size_t>(component)) * block_lanes);
+            std::fill(first, first + block_lanes, start[static_cast<std::size_t>(k)]);
+        }
+    }
+}
+
+PlasticState plastic_state(const Batch& batch, const Node* nodes, std::int32_t element) {
+    if (batch.kernel.law_size == 0) return {0, std::numeric_limits<double>::infinity(), 0};
+    const auto law = mean_state(batch, nodes, element).law;
+    return {law[0], law[1], law[2]};
 }
 
 std::array<double, 4> mean_stress(const Batch& batch, const Node* nodes, std::int32_t element) {
