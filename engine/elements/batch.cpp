@@ -66,9 +66,10 @@ std::array<double, 3> initial_law_state(const Plasticity& plasticity) {
 }
 
 struct MeanState {
+    double ratio;     // J
     double pressure;  // mean stress of the bulk law
-    double m, d, s;   // averaged deviator
-    double deviator_square;  // volume average of s:s
+    double m, d, s;          // averaged deviator, Cauchy
+    double deviator_square;  // volume average of tau:tau, Kirchhoff
     std::array<double, 3> law{};  // plastic laws: strain, yield stress, temperature
 };
 
@@ -84,15 +85,15 @@ MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element
     const double initial = batch.volume[static_cast<std::size_t>(block * block_lanes + lane)];
     const double ratio = cell_volume(cell, nodes, batch.geometry) / initial;
 
-    MeanState mean{0.5 * batch.material.bulk * (ratio - 1 / ratio), 0, 0, 0, 0, {}};
+    MeanState mean{ratio, 0.5 * batch.material.bulk * (1 - 1 / (ratio * ratio)), 0, 0, 0, 0, {}};
     const auto add = [&](int point, double share) {
         const int first = 3 * point;
         for (int k = 0; k < batch.kernel.law_size; ++k)
             mean.law[static_cast<std::size_t>(k)] += share * at(batch.kernel.law_begin + point * batch.kernel.law_size + k);
         const double m = at(first), d = at(first + 1), s = at(first + 2);
-        mean.m += share * m;
-        mean.d += share * d;
-        mean.s += share * s;
+        mean.m += share * m / ratio;
+        mean.d += share * d / ratio;
+        mean.s += share * s / ratio;
         mean.deviator_square += share * (6 * m * m + 2 * d * d + 2 * s * s);
     };
     if (batch.kind != ElementKind::quad_mean_dilatation) {
@@ -226,10 +227,8 @@ double stored_energy(const Batch& batch, const Node* nodes, std::int32_t element
     const MeanState s = mean_state(batch, nodes, element);
     const int block = element / block_lanes, lane = element % block_lanes;
     const double initial = batch.volume[static_cast<std::size_t>(block * block_lanes + lane)];
-    const double x = s.pressure / batch.material.bulk;  // (J - 1/J) / 2
-    const double ratio = x + std::sqrt(1 + x * x);
-    const double volumetric = 0.5 * batch.material.bulk * ((ratio - 1) * (ratio + 1) / 2 - std::log1p(ratio - 1));
-    return initial * (volumetric + ratio * s.deviator_square / (4 * batch.material.shear));
+    const double volumetric = 0.5 * batch.material.bulk * (s.ratio - 1) * (s.ratio - 1) / s.ratio;
+    return initial * (volumetric + s.deviator_square / (4 * batch.material.shear));
 }
 
 }  // namespace percuss

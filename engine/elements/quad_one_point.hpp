@@ -11,7 +11,8 @@ template <class Law, Geometry geometry, bool hourglass, bool viscous>
 struct QuadOnePoint {
     static constexpr int corners = 4;
     static constexpr int points = 1;
-    static constexpr int law_begin = 3 + (hourglass ? 2 : 0);  // after m, d, s, hourglass forces x, y
+    // after m, d, s; hourglass forces x, y; viscous pressure
+    static constexpr int law_begin = 3 + (hourglass ? 2 : 0) + (viscous ? 1 : 0);
     static constexpr int state_size = law_begin + Law::extra_state;
 
     template <class Real>
@@ -47,24 +48,26 @@ struct QuadOnePoint {
         if constexpr (Law::extra_state == 0) {
             Law::template update<Real>(s, strain.deviator, material);
         } else {
-            const Real ratio = b.volume / load<Real>(batch.volume.data() + first * block_lanes + lane);
-            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes, batch, ratio, dt);
-            add_to(sums.plastic + lane, Real(work * b.volume));
+            const Real initial = load<Real>(batch.volume.data() + first * block_lanes + lane);
+            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes, batch,
+                                                         b.volume / initial, dt);
+            add_to(sums.plastic + lane, Real(work * initial));
         }
         store(state, s.m);
         store(state + block_lanes, s.d);
         store(state + 2 * block_lanes, s.s);
         const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
         const Real inverse_ratio = initial_volume * inverse_volume;
-        Real mean = mean_stress_of_volume(b.volume / initial_volume, inverse_ratio, material.bulk);
+        Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
         if constexpr (viscous) {
             const Real area = 4.0 * g.j0;
             const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio, square_root(area), dt,
                                                 material);
-            add_to(sums.viscous + lane, Real(-q * strain.trace * b.volume));
+            double* kept = state + (law_begin - 1) * block_lanes;
+            add_to(sums.viscous + lane, viscous_work<Real>(kept, q, strain.trace * b.volume));
             mean -= q;
         }
-        const auto stress = total_stress<Real, geometry>(mean, s);
+        const auto stress = total_stress<Real, geometry>(mean, s, inverse_ratio);
 
         // Corner forces in modes.
         Modes<Real> fx, fy;

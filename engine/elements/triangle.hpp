@@ -9,7 +9,7 @@ template <class Law, Geometry geometry, bool viscous>
 struct Triangle {
     static constexpr int corners = 3;
     static constexpr int points = 1;
-    static constexpr int law_begin = 3;  // after m, d, s
+    static constexpr int law_begin = 3 + (viscous ? 1 : 0);  // after m, d, s; viscous pressure
     static constexpr int state_size = law_begin + Law::extra_state;
 
     template <class Real>
@@ -48,23 +48,24 @@ struct Triangle {
         if constexpr (Law::extra_state == 0) {
             Law::template update<Real>(s, strain.deviator, material);
         } else {
-            const Real ratio = volume / load<Real>(batch.volume.data() + first * block_lanes + lane);
-            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes, batch, ratio, dt);
-            add_to(sums.plastic + lane, Real(work * volume));
+            const Real initial = load<Real>(batch.volume.data() + first * block_lanes + lane);
+            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes, batch,
+                                                         volume / initial, dt);
+            add_to(sums.plastic + lane, Real(work * initial));
         }
         store(state, s.m);
         store(state + block_lanes, s.d);
         store(state + 2 * block_lanes, s.s);
         const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
         const Real inverse_ratio = initial_volume / volume;
-        Real mean = mean_stress_of_volume(Real(volume / initial_volume), inverse_ratio, material.bulk);
+        Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
         if constexpr (viscous) {
             const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio,
                                                 square_root(Real(0.5 * twice_area)), dt, material);
-            add_to(sums.viscous + lane, Real(-q * strain.trace * volume));
+            add_to(sums.viscous + lane, viscous_work<Real>(state + 3 * block_lanes, q, strain.trace * volume));
             mean -= q;
         }
-        const auto stress = total_stress<Real, geometry>(mean, s);
+        const auto stress = total_stress<Real, geometry>(mean, s, inverse_ratio);
 
         const Real s11 = 0.5 * radius * stress.s11, s22 = 0.5 * radius * stress.s22, s12 = 0.5 * radius * stress.s12;
         const Real hoop = geometry == Geometry::axisymmetric ? Real(stress.s33 * twice_area * (1.0 / 6.0))
