@@ -55,9 +55,10 @@ ElasticConstants elastic_constants(const Material& material, const Body& body, G
 }
 
 struct MeanState {
+    double ratio;     // J
     double pressure;  // mean stress of the bulk law
-    double m, d, s;   // averaged deviator
-    double deviator_square;  // volume average of s:s
+    double m, d, s;          // averaged deviator, Cauchy
+    double deviator_square;  // volume average of tau:tau, Kirchhoff
 };
 
 MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element) {
@@ -72,12 +73,12 @@ MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element
     const double initial = batch.volume[static_cast<std::size_t>(block * block_lanes + lane)];
     const double ratio = cell_volume(cell, nodes, batch.geometry) / initial;
 
-    MeanState mean{0.5 * batch.material.bulk * (ratio - 1 / ratio), 0, 0, 0, 0};
+    MeanState mean{ratio, 0.5 * batch.material.bulk * (1 - 1 / (ratio * ratio)), 0, 0, 0, 0};
     const auto add = [&](int first, double share) {
         const double m = at(first), d = at(first + 1), s = at(first + 2);
-        mean.m += share * m;
-        mean.d += share * d;
-        mean.s += share * s;
+        mean.m += share * m / ratio;
+        mean.d += share * d / ratio;
+        mean.s += share * s / ratio;
         mean.deviator_square += share * (6 * m * m + 2 * d * d + 2 * s * s);
     };
     if (batch.kind != ElementKind::quad_mean_dilatation) {
@@ -188,10 +189,8 @@ double stored_energy(const Batch& batch, const Node* nodes, std::int32_t element
     const MeanState s = mean_state(batch, nodes, element);
     const int block = element / block_lanes, lane = element % block_lanes;
     const double initial = batch.volume[static_cast<std::size_t>(block * block_lanes + lane)];
-    const double x = s.pressure / batch.material.bulk;  // (J - 1/J) / 2
-    const double ratio = x + std::sqrt(1 + x * x);
-    const double volumetric = 0.5 * batch.material.bulk * ((ratio - 1) * (ratio + 1) / 2 - std::log1p(ratio - 1));
-    return initial * (volumetric + ratio * s.deviator_square / (4 * batch.material.shear));
+    const double volumetric = 0.5 * batch.material.bulk * (s.ratio - 1) * (s.ratio - 1) / s.ratio;
+    return initial * (volumetric + s.deviator_square / (4 * batch.material.shear));
 }
 
 }  // namespace percuss

@@ -60,17 +60,17 @@ template <class Real, int n>
     return bound;
 }
 
-/// Tangents at the present volume: bulk modulus J^2 U''(J)/J = K/2 (J + 1/J), shear modulus mu.
+/// Tangents at the present volume: bulk modulus J U''(J) = K / J^2, shear modulus mu / J.
 template <class Real, Geometry geometry>
 struct Moduli {
     Real direct, lateral, shear;
 
     [[gnu::always_inline]] Moduli(const ElasticConstants& material, Real ratio) {
-        const Real bulk = (0.5 * material.bulk) * (ratio + 1.0 / ratio);
+        const Real bulk = material.bulk / (ratio * ratio);
         constexpr double share = geometry == Geometry::plane_stress ? 1.0 : 2.0 / 3.0;
-        lateral = bulk - share * material.shear;
-        direct = lateral + 2.0 * material.shear;
-        shear = material.shear + 0.0 * bulk;
+        shear = material.shear / ratio;
+        lateral = bulk - share * shear;
+        direct = lateral + 2.0 * shear;
     }
 };
 
@@ -263,7 +263,7 @@ struct QuadMeanDilatationFrequency {
         }
         const Real initial = load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
         const Real ratio = b.volume / initial;
-        const Real bulk = (0.5 * batch.material.bulk) * (ratio + 1.0 / ratio);
+        const Real bulk = batch.material.bulk / (ratio * ratio);
 
         Matrix<Real, 8> k;
         Real volume_row[8];
@@ -311,7 +311,7 @@ struct QuadMeanDilatationFrequency {
                 shear[4 + i] = nx[i] * root[4 + i];
             }
             constexpr double share = geometry == Geometry::plane_stress ? 0.5 : 1.0 / 3.0;
-            const Real factor = batch.material.shear * radius * jacobian;
+            const Real factor = (batch.material.shear / ratio) * radius * jacobian;
             for (int i = 0; i < 8; ++i)
                 for (int j = 0; j < 8; ++j) {
                     const Real trace_i = row11[i] + row22[i] + row33[i], trace_j = row11[j] + row22[j] + row33[j];

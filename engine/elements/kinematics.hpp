@@ -12,7 +12,7 @@ struct Gradient {
     Real h11, h12, h21, h22, hoop;
 };
 
-/// Strain increment and rotation of a step, taken at mid-step, where a rigid rotation has none of the former.
+/// Strain increment and rotation of a step, measured at mid-step, where a rigid rotation has none of the former.
 template <class Real>
 struct StepStrain {
     Deviator<Real> deviator;
@@ -52,22 +52,39 @@ template <class Real, Geometry geometry>
     const Real scale = 1.0 / (1.0 + square);
     strain.cosine = (1.0 - square) * scale;
     strain.sine = 2.0 * half_spin * scale;
+    // The increment belongs to mid-step; the mean of it and of it turned by the whole step is it turned by half a step, to
+    // second order. Without this the work of stresses misses the stored energy by the first order of a step.
+    Deviator<Real> turned = strain.deviator;
+    rotate(turned, strain.cosine, strain.sine);
+    strain.deviator.d = 0.5 * (strain.deviator.d + turned.d);
+    strain.deviator.s = 0.5 * (strain.deviator.s + turned.s);
     return strain;
 }
 
-/// Total stress from mean stress and deviator.
+/// Cauchy stress.
 template <class Real>
 struct Stress {
     Real s11, s22, s33, s12;
 };
 
+/// Cauchy stress from its mean and the Kirchhoff deviator; inverse_ratio = 1/J.
 template <class Real, Geometry geometry>
-[[gnu::always_inline]] inline Stress<Real> total_stress(Real mean, const Deviator<Real>& s) {
+[[gnu::always_inline]] inline Stress<Real> total_stress(Real mean, const Deviator<Real>& tau, Real inverse_ratio) {
+    const Real m = inverse_ratio * tau.m, d = inverse_ratio * tau.d, s = inverse_ratio * tau.s;
     if constexpr (geometry == Geometry::plane_stress) {
-        return {mean + s.d, mean - s.d, 0.0 * mean, s.s};
+        return {mean + d, mean - d, 0.0 * mean, s};
     } else {
-        return {mean + s.m + s.d, mean + s.m - s.d, mean - 2.0 * s.m, s.s};
+        return {mean + m + d, mean + m - d, mean - 2.0 * m, s};
     }
+}
+
+/// Work of a viscous pressure over a step, half with its value at the start and half with that at the end, as nodal forces
+/// work in a leapfrog: what the ledger books then is what the nodes lost. Keeps the pressure for the next step.
+template <class Real>
+[[gnu::always_inline]] inline Real viscous_work(double* kept, Real pressure, Real volume_change) {
+    const Real before = load<Real>(kept);
+    store(kept, pressure);
+    return -0.5 * (before + pressure) * volume_change;
 }
 
 /// Bulk viscosity (von Neumann & Richtmyer; linear term Landshoff), a pressure in compression only:

@@ -9,7 +9,7 @@ namespace percuss::PERCUSS_ISA {
 template <class Law, Geometry geometry, bool viscous>
 struct QuadMeanDilatation {
     static constexpr int corners = 4;
-    static constexpr int state_size = 4 * 3;  // m, d, s at each point
+    static constexpr int state_size = 4 * 3 + (viscous ? 1 : 0);  // m, d, s at each point; viscous pressure
 
     template <class Real>
     [[gnu::always_inline]] static void update(Batch& batch, const Node* nodes, double dt, int block, int lane,
@@ -31,8 +31,8 @@ struct QuadMeanDilatation {
         const Real w1 = quarter * w.c1, w2 = quarter * w.c2, w3 = quarter * w.c3;
 
         const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
-        const Real ratio = b.volume / initial_volume, inverse_ratio = initial_volume / b.volume;
-        Real mean = mean_stress_of_volume(ratio, inverse_ratio, material.bulk);
+        const Real inverse_ratio = initial_volume / b.volume;
+        Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
         if constexpr (viscous) {
             // Mean trace of the step at its end, to second order at mid-step.
             Real trace = b.bx1 * u.c1 + b.bx2 * u.c2 + b.bx3 * u.c3 + b.by1 * w.c1 + b.by2 * w.c2 + b.by3 * w.c3;
@@ -40,7 +40,7 @@ struct QuadMeanDilatation {
             trace = dt * trace / b.volume;
             const Real q = bulk_viscosity<Real>(trace, material.density * inverse_ratio, square_root(Real(4.0 * g.j0)),
                                                 dt, material);
-            add_to(sums.viscous + lane, Real(-q * trace * b.volume));
+            add_to(sums.viscous + lane, viscous_work<Real>(state + 12 * block_lanes, q, trace * b.volume));
             mean -= q;
         }
 
@@ -85,7 +85,7 @@ struct QuadMeanDilatation {
             store(at + 2 * block_lanes, s.s);
 
             // N_I,x J = [xi_I y_eta - eta_I y_xi + xi_I eta_I (eta y_eta - xi y_xi)] / 4, likewise for y.
-            const auto stress = total_stress<Real, geometry>(Real(0.0 * radius), s);
+            const auto stress = total_stress<Real, geometry>(Real(0.0 * radius), s, inverse_ratio);
             const Real weight = 0.25 * radius;
             const Real s11 = weight * stress.s11, s22 = weight * stress.s22, s12 = weight * stress.s12;
             fx.c1 += s11 * y_eta - s12 * x_eta;

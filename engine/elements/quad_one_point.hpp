@@ -10,7 +10,8 @@ namespace percuss::PERCUSS_ISA {
 template <class Law, Geometry geometry, bool hourglass, bool viscous>
 struct QuadOnePoint {
     static constexpr int corners = 4;
-    static constexpr int state_size = 3 + (hourglass ? 2 : 0);  // m, d, s, hourglass forces x, y
+    // m, d, s; hourglass forces x, y; viscous pressure
+    static constexpr int state_size = 3 + (hourglass ? 2 : 0) + (viscous ? 1 : 0);
 
     template <class Real>
     [[gnu::always_inline]] static void update(Batch& batch, const Node* nodes, double dt, int block, int lane,
@@ -48,15 +49,16 @@ struct QuadOnePoint {
         store(state + 2 * block_lanes, s.s);
         const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
         const Real inverse_ratio = initial_volume * inverse_volume;
-        Real mean = mean_stress_of_volume(b.volume / initial_volume, inverse_ratio, material.bulk);
+        Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
         if constexpr (viscous) {
             const Real area = 4.0 * g.j0;
             const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio, square_root(area), dt,
                                                 material);
-            add_to(sums.viscous + lane, Real(-q * strain.trace * b.volume));
+            double* kept = state + (state_size - 1) * block_lanes;
+            add_to(sums.viscous + lane, viscous_work<Real>(kept, q, strain.trace * b.volume));
             mean -= q;
         }
-        const auto stress = total_stress<Real, geometry>(mean, s);
+        const auto stress = total_stress<Real, geometry>(mean, s, inverse_ratio);
 
         // Corner forces in modes.
         Modes<Real> fx, fy;

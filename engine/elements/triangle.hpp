@@ -8,7 +8,7 @@ namespace percuss::PERCUSS_ISA {
 template <class Law, Geometry geometry, bool viscous>
 struct Triangle {
     static constexpr int corners = 3;
-    static constexpr int state_size = 3;  // m, d, s
+    static constexpr int state_size = 3 + (viscous ? 1 : 0);  // m, d, s; viscous pressure
 
     template <class Real>
     [[gnu::always_inline]] static void update(Batch& batch, const Node* nodes, double dt, int block, int lane,
@@ -49,14 +49,14 @@ struct Triangle {
         store(state + 2 * block_lanes, s.s);
         const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
         const Real inverse_ratio = initial_volume / volume;
-        Real mean = mean_stress_of_volume(Real(volume / initial_volume), inverse_ratio, material.bulk);
+        Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
         if constexpr (viscous) {
             const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio,
                                                 square_root(Real(0.5 * twice_area)), dt, material);
-            add_to(sums.viscous + lane, Real(-q * strain.trace * volume));
+            add_to(sums.viscous + lane, viscous_work<Real>(state + 3 * block_lanes, q, strain.trace * volume));
             mean -= q;
         }
-        const auto stress = total_stress<Real, geometry>(mean, s);
+        const auto stress = total_stress<Real, geometry>(mean, s, inverse_ratio);
 
         const Real s11 = 0.5 * radius * stress.s11, s22 = 0.5 * radius * stress.s22, s12 = 0.5 * radius * stress.s12;
         const Real hoop = geometry == Geometry::axisymmetric ? Real(stress.s33 * twice_area * (1.0 / 6.0))

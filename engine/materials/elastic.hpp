@@ -22,15 +22,16 @@ template <class Real>
     stress.d = d;
 }
 
-/// Mean stress from the volume ratio J, tension positive: U'(J) of U = K/2 ((J^2 - 1)/2 - ln J); agrees with K ln J to
-/// third order, costs no logarithm and goes to -infinity as J -> 0.
+/// Mean Cauchy stress from 1/J, tension positive: U'(J) of U = K/2 (J + 1/J - 2). Its Kirchhoff stress K/2 (J - 1/J) agrees with
+/// Hencky's K ln J to third order, costs no logarithm and goes to -infinity as J -> 0.
 template <class Real>
-[[gnu::always_inline]] inline Real mean_stress_of_volume(Real ratio, Real inverse_ratio, double bulk) {
-    return (0.5 * bulk) * (ratio - inverse_ratio);
+[[gnu::always_inline]] inline Real mean_stress_of_volume(Real inverse_ratio, double bulk) {
+    return (0.5 * bulk) * (1.0 - inverse_ratio * inverse_ratio);
 }
 
-/// Hypoelastic deviator, the seam where plastic laws go: a law takes the rotated deviator and the mid-step deviatoric
-/// strain increment to the new deviator, keeping `extra_state` doubles of its own per point.
+/// Hypoelastic Kirchhoff deviator tau = J s, the seam where plastic laws go: a law takes the rotated deviator and the mid-step
+/// deviatoric strain increment to the new deviator, keeping `extra_state` doubles of its own per point. Of Kirchhoff stress
+/// because the power per initial volume is then tau : d = d/dt (tau : tau / 4 mu): an energy exists at any strain.
 struct Elastic {
     static constexpr int extra_state = 0;
 
