@@ -24,7 +24,8 @@ void ContactAssembly::assemble(std::span<const ContactRow> rows, const double* i
             const double share = factor * row.share[slot];
             const double gx = share * row.normal[0] * inverse_mass[2 * node];
             const double gy = share * row.normal[1] * inverse_mass[2 * node + 1];
-            for (std::int32_t l = head_[static_cast<std::size_t>(node)]; l >= 0; l = links_[static_cast<std::size_t>(l)].next) {
+            for (std::int32_t l = head_[static_cast<std::size_t>(node)]; l >= 0;
+                 l = links_[static_cast<std::size_t>(l)].next) {
                 const Link& link = links_[static_cast<std::size_t>(l)];
                 const ContactRow& other = rows[static_cast<std::size_t>(link.row)];
                 matrix.at(k, link.row) += other.share[static_cast<std::size_t>(link.slot)] *
