@@ -26,6 +26,19 @@ std::vector<EffectInfo> effects_of(const Scene& scene) {
                            });
                        }),
                        "about 20 flops and 3 square roots an element; lowers the critical step"});
+    const auto any_law = [&](std::size_t law) {
+        return any_body([&](const Body& body) {
+            return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
+                return m.name == body.material && m.plasticity.index() == law;
+            });
+        });
+    };
+    effects.push_back({"plasticity: linear and Voce hardening", any_law(1),
+                       "about 10 flops and 16 bytes of state a point; 30 flops, a root, 2 divisions and 2 exponentials where it yields"});
+    effects.push_back({"plasticity: tabulated hardening", any_law(2),
+                       "about 10 flops and 16 bytes of state a point; 25 flops, a root and 3 divisions where it yields"});
+    effects.push_back({"plasticity: Johnson-Cook", any_law(3),
+                       "about 10 flops and 24 bytes of state a point; about 5 iterations with 3 powers and a logarithm where it yields"});
     effects.push_back({"body force", any_body([](const Body& b) { return b.body_force[0] != 0 || b.body_force[1] != 0; }),
                        "6 flops and 16 bytes a node"});
     effects.push_back({"pressure and traction", any_body([](const Body& b) { return !b.loads.empty(); }),

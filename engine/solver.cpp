@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "mesh/build.hpp"
+#include "run/fields.hpp"
 #include "run/state_hash.hpp"
 #include "scene/parse.hpp"
 
@@ -64,6 +65,7 @@ Solver::Solver(Scene scene, int threads)
     ledger.body_momentum.assign(s.bodies.size(), {0, 0});
     ledger.body_velocity.assign(s.bodies.size(), {0, 0});
     ledger.pair_work.assign(pairs_.size(), 0);
+    ledger.body_works.resize(s.bodies.size());
     statistics_.cells = setup_->mesh.cell_count();
     statistics_.threads = team_.size();
     statistics_.pairs.resize(pairs_.size());
@@ -71,7 +73,8 @@ Solver::Solver(Scene scene, int threads)
     evaluate_critical_step();
     statistics_.critical_step_initial = statistics_.critical_step_min = state_.critical_step;
     check_fixed_step(step_size_);
-    for (std::size_t n = 0; n < mass_.size(); ++n) {  // node by node: held and driven nodes do not have their body's velocity
+    for (std::size_t n = 0; n < mass_.size();
+         ++n) {  // node by node: held and driven nodes do not have their body's velocity
         const auto body = static_cast<std::size_t>(body_of_node_[n]);
         const double* v = state_.nodes[n].v;
         for (std::size_t d = 0; d < 2; ++d) ledger.body_momentum[body][d] += mass_[n] * v[d];
@@ -116,9 +119,14 @@ void Solver::build_nodes() {
             std::accumulate(mass_.begin() + part.node_begin, mass_.begin() + part.node_end, 0.0));
     }
     inverse_mass_.resize(2 * count);
+    for (const Edge& wall : mesh.walls)
+        for (const std::int32_t node : wall.nodes) {
+            const Vec2& x = mesh.nodes[static_cast<std::size_t>(node)];
+            state_.nodes[static_cast<std::size_t>(node)] = {{x.x(), x.y()}, {0, 0}};
+        }
     for (std::size_t node = 0; node < count; ++node) {
         for (std::size_t d = 0; d < 2; ++d) {
-            inverse_mass_[2 * node + d] = imposed_.held[node][d] ? 0 : 1 / mass_[node];
+            inverse_mass_[2 * node + d] = imposed_.held[node][d] || mass_[node] == 0 ? 0 : 1 / mass_[node];
             if (imposed_.held[node][d]) state_.nodes[node].v[d] = 0;
         }
     }
@@ -199,6 +207,7 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
     for (const Batch& batch : batches_)
         for (std::int32_t element = 0; element < batch.count; ++element)
             snapshot->stress.push_back(mean_stress(batch, state_.nodes.data(), element));
+    add_plastic_fields(*snapshot);
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         snapshot->pairs.push_back(pairs_[p].state);
         std::vector<ContactForce> slaves;
@@ -206,7 +215,8 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
             if (row.force == 0) continue;
             for (std::size_t k = 0; k < 3; ++k) {
                 const double force = scale_ * row.force * row.share[k];
-                if (force == 0) continue;
+                if (force == 0 || row.node[k] >= static_cast<std::int32_t>(body_of_node_.size()))
+                    continue;  // a wall's end
                 const ContactForce one{row.node[k],
                                        static_cast<std::int32_t>(p),
                                        k == 0,
@@ -233,6 +243,41 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
     return snapshot;
 }
 
+void Solver::add_plastic_fields(Snapshot& snapshot) const {
+    const Scene& scene = setup_->scene;
+    if (!has_plasticity(scene)) return;
+    const auto ambient = ambient_temperature(scene);
+    for (const Batch& batch : batches_) {
+        const bool heats = batch.kernel.law_size > 2;
+        for (std::int32_t element = 0; element < batch.count; ++element) {
+            const PlasticState state = plastic_state(batch, state_.nodes.data(), element);
+            snapshot.plastic_strain.push_back(state.strain);
+            snapshot.yield_stress.push_back(state.yield);
+            if (ambient) snapshot.temperature.push_back(heats ? state.temperature : *ambient);
+        }
+    }
+}
+
+std::vector<BodyEnergies> Solver::body_energies() const {
+    std::vector<BodyEnergies> bodies(batches_.size());
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        BodyEnergies& energy = bodies[b];
+        const Ledger::Works& works = state_.ledger.body_works[b];
+        energy.plastic = scale_ * works.plastic;
+        energy.hourglass = scale_ * works.hourglass;
+        energy.viscous = scale_ * works.viscous;
+        for (std::int32_t element = 0; element < batches_[b].count; ++element)
+            energy.elastic += scale_ * stored_energy(batches_[b], state_.nodes.data(), element);
+        const MeshBody& part = setup_->mesh.bodies[b];
+        for (auto n = static_cast<std::size_t>(part.node_begin); n < static_cast<std::size_t>(part.node_end);
+             ++n) {
+            const auto& v = state_.nodes[n].v;
+            energy.kinetic += 0.5 * scale_ * mass_[n] * (v[0] * v[0] + v[1] * v[1]);
+        }
+    }
+    return bodies;
+}
+
 RunStatistics Solver::statistics(bool complete) const {
     RunStatistics statistics = statistics_;
     const Ledger& ledger = state_.ledger;
@@ -252,6 +297,7 @@ RunStatistics Solver::statistics(bool complete) const {
         for (std::size_t d = 0; d < 2; ++d) statistics.momentum_final[d] += scale_ * momentum[d];
     statistics.angular_momentum_final = angular_momentum();
     if (!complete) return statistics;
+    statistics.bodies = body_energies();
     std::uint64_t hash = hash_bytes(state_.nodes.data(), state_.nodes.size() * sizeof(Node));
     for (const Batch& batch : batches_)
         hash = hash_bytes(batch.state.data(), batch.state.size() * sizeof(double), hash);
@@ -274,7 +320,8 @@ double Solver::strain_energy_error() const {
         }
     }
     const Ledger& ledger = state_.ledger;
-    return std::abs(ledger.internal + 0.5 * state_.dt * work - ledger.hourglass - ledger.viscous - stored);
+    return std::abs(ledger.internal + 0.5 * state_.dt * work - ledger.hourglass - ledger.viscous -
+                    ledger.plastic - stored);
 }
 
 SolverState Solver::save() const {

@@ -108,6 +108,8 @@ class Solver {
     double account_contacts(NodeSums& sums);
     void count_events(Pair& pair, PairStatistics& statistics) const;
     void fill_history_row();
+    void add_plastic_fields(Snapshot& snapshot) const;
+    [[nodiscard]] std::vector<BodyEnergies> body_energies() const;
     [[nodiscard]] Divergence locate_inverted() const;
     [[nodiscard]] std::string locate_non_finite() const;
     [[nodiscard]] std::string locate_most_energy() const;

@@ -63,7 +63,7 @@ void Solver::read_probes() {
         const ProbeReading& probe = probes_[k];
         if (probe.cell >= 0) {
             const Batch& batch = batches_[static_cast<std::size_t>(probe.body)];
-            probe_values_[k] = probe.field.of_cell(mean_stress(batch, state_.nodes.data(), probe.cell - batch.cell_begin));
+            probe_values_[k] = probe.field.of_cell(cell_values(batch, state_.nodes.data(), probe.cell - batch.cell_begin));
         } else {
             probe_nodes_[k] = state_.nodes[static_cast<std::size_t>(probe.node)];
         }
@@ -351,6 +351,7 @@ std::optional<Divergence> Solver::close_ledger() {
     energy.internal = scale_ * internal;
     energy.hourglass = scale_ * ledger.hourglass;
     energy.viscous = scale_ * ledger.viscous;
+    energy.plastic = scale_ * ledger.plastic;
     energy.contact = scale_ * (contact + contact_before);
     energy.external = scale_ * (ledger.initial_kinetic + loads);
     for (std::size_t body = 0; body < body_mass_.size(); ++body)
@@ -373,12 +374,20 @@ std::optional<Divergence> Solver::internal_forces() {
     state_.time += state_.dt;
     ++state_.step;
     double inverted = 0;
-    for (const KernelSums& sums : element_sums_) {
+    Ledger& ledger = state_.ledger;
+    for (std::size_t k = 0; k < element_sums_.size(); ++k) {
+        const KernelSums& sums = element_sums_[k];
+        Ledger::Works works;
         for (int lane = 0; lane < block_lanes; ++lane) {
-            state_.ledger.hourglass += sums.hourglass[lane];
-            state_.ledger.viscous += sums.viscous[lane];
+            works.hourglass += sums.hourglass[lane];
+            works.viscous += sums.viscous[lane];
+            works.plastic += sums.plastic[lane];
             inverted += sums.inverted[lane];
         }
+        ledger.hourglass += works.hourglass;
+        ledger.viscous += works.viscous;
+        ledger.plastic += works.plastic;
+        ledger.body_works[static_cast<std::size_t>(element_chunks_[k].batch)] += works;
     }
     if (inverted > 0) return locate_inverted();
     return std::nullopt;
@@ -459,13 +468,13 @@ std::vector<HistoryColumn> Solver::history_columns(const Scene& scene) {
     for (const Body& body : scene.bodies)
         for (const std::size_t d : order)
             columns.push_back({"body." + body.name + ".velocity." + direction[d], Quantity::velocity});
-    for (const char* energy : {"kinetic", "internal", "hourglass", "viscous", "contact", "external", "balance"})
+    for (const char* energy : {"kinetic", "internal", "hourglass", "viscous", "plastic", "contact", "external", "balance"})
         columns.push_back({std::string("energy.") + energy, Quantity::energy});
     columns.push_back({"step.dt", Quantity::time});
     columns.push_back({"step.critical", Quantity::time});
     for (const Probe& probe : scene.probes)
         for (const std::string& quantity : probe.record)
-            columns.push_back({"probe." + probe.name + "." + quantity, find_field(scene.geometry, quantity).quantity});
+            columns.push_back({"probe." + probe.name + "." + quantity, find_field(scene, quantity).quantity});
     return columns;
 }
 
@@ -486,7 +495,7 @@ void Solver::fill_history_row() {
         put(velocity[second]);
     }
     const Energies& e = state_.ledger.present;
-    for (const double energy : {e.kinetic, e.internal, e.hourglass, e.viscous, e.contact, e.external, e.balance()}) put(energy);
+    for (const double energy : {e.kinetic, e.internal, e.hourglass, e.viscous, e.plastic, e.contact, e.external, e.balance()}) put(energy);
     put(state_.dt);
     put(state_.critical_step);
     for (std::size_t k = 0; k < probes_.size(); ++k) {

@@ -70,6 +70,8 @@ constexpr Dimension dimension(Quantity quantity) {
             return {-3, 0, 1, ""};
         case Quantity::rate:
             return {0, -1, 0, ""};
+        case Quantity::temperature:
+            return {0, 0, 0, ""};
     }
     return {0, 0, 0, ""};
 }
@@ -140,6 +142,7 @@ std::string Units::label(Quantity quantity) const {
     const Dimension d = dimension(quantity);
     if (quantity == Quantity::length) return length_;
     if (quantity == Quantity::time) return time_;
+    if (quantity == Quantity::temperature) return "K";
     if (d.si_name.empty()) return product(d, *this);
     const auto power = power_of_1000(si(quantity));
     // Prefixes on a velocity other than the usual ones say less than the declared units: km/s, but cm/us.

@@ -19,6 +19,7 @@ enum class Quantity {
     energy,
     density,
     rate,  ///< 1/time
+    temperature,  ///< always kelvin
 };
 
 /// A multiplier and the unit label that belongs to the multiplied number.

@@ -28,7 +28,7 @@ ViewOptions view_of(const RenderOptions& options, const Scene& scene) {
     ViewOptions view = scene.view;
     if (options.field) {
         try {
-            view.field = find_field(scene.geometry, *options.field).name;
+            view.field = find_field(scene, *options.field).name;
         } catch (const std::invalid_argument& error) {
             throw UsageError(fmt::format("--field: {}", error.what()));
         }

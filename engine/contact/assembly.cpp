@@ -12,6 +12,9 @@ void ContactAssembly::assemble(std::span<const ContactRow> rows, const double* i
         const ContactRow& row = rows[static_cast<std::size_t>(k)];
         std::int32_t first = k;
         for (std::int32_t slot = 0; slot < 3; ++slot) {
+            // A node that cannot move couples no rows: all rows on one wall share its two.
+            const std::int32_t of = row.node[static_cast<std::size_t>(slot)];
+            if (inverse_mass[2 * of] == 0 && inverse_mass[2 * of + 1] == 0) continue;
             std::int32_t& head = head_[static_cast<std::size_t>(row.node[static_cast<std::size_t>(slot)])];
             links_.push_back({k, slot, head});
             head = static_cast<std::int32_t>(links_.size()) - 1;

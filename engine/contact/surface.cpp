@@ -26,6 +26,11 @@ void append_chain(Surface& surface, const Edge& chain) {
 
 Surface make_surface(const Mesh& mesh, const SurfaceName& name) {
     Surface surface;
+    const auto wall = std::find_if(mesh.walls.begin(), mesh.walls.end(), [&](const Edge& w) { return w.name == name.body; });
+    if (wall != mesh.walls.end()) {
+        append_chain(surface, *wall);
+        return surface;
+    }
     const auto body = std::find_if(mesh.bodies.begin(), mesh.bodies.end(),
                                    [&](const MeshBody& b) { return b.name == name.body; });
     for (const Edge* chain : surface_chains(*body, name.edge)) append_chain(surface, *chain);

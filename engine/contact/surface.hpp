@@ -22,7 +22,7 @@ struct Surface {
     std::vector<std::int32_t> nodes;  ///< each once, in chain order
 };
 
-/// @pre the scene was checked: body and edge exist.
+/// @pre the scene was checked: body and edge, or the wall, exist.
 [[nodiscard]] Surface make_surface(const Mesh& mesh, const SurfaceName& name);
 
 }  // namespace percuss

@@ -27,7 +27,7 @@ double Solver::critical_step_by_power_iteration(int most_iterations) const {
                     nodes[n].x[d] = start[n][static_cast<Eigen::Index>(d)] + nodes[n].v[d];
                 }
             for (Batch& batch : batches) {
-                std::fill(batch.state.begin(), batch.state.end(), 0.0);
+                reset_state(batch);
                 batch.kernel.forces(batch, nodes.data(), 1.0, 0, batch.blocks(), sums);
                 for (std::int32_t element = 0; element < batch.count; ++element)
                     for (int corner = 0; corner < batch.corners; ++corner) {

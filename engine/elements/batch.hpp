@@ -27,6 +27,7 @@ struct alignas(64) KernelSums {
     double hourglass[block_lanes] = {};  ///< work taken up by hourglass stiffness, per radian or unit thickness
     double viscous[block_lanes] = {};    ///< work taken up by bulk viscosity, likewise
     double inverted[block_lanes] = {};   ///< number of elements whose mean Jacobian is not positive
+    double plastic[block_lanes] = {};    ///< work taken up by plastic flow, per radian or unit thickness
 };
 
 struct Batch;
@@ -42,6 +43,9 @@ struct KernelSet {
     ForceKernel forces = nullptr;
     FrequencyKernel frequency = nullptr;
     int state_size = 0;  ///< doubles of state per element
+    int points = 1;      ///< integration points per element
+    int law_begin = 0;   ///< first component of the law's own state, at the end of the state: [point][law_size]
+    int law_size = 0;    ///< doubles of it per point; plastic laws: equivalent plastic strain, yield stress, temperature
 };
 
 /// All elements of one body: one element kind, one material, one geometry, contiguous storage.
@@ -60,6 +64,7 @@ struct Batch {
     AlignedVector<double> inverse_mass;        ///< of the element's own corner masses, 0 where held: [block][corner][2][lane]
     AlignedVector<double> state;               ///< [block][component][lane]
     AlignedVector<double> force;               ///< internal corner forces, per radian: [block][corner][lane][2]
+    Plasticity plasticity;
 
     [[nodiscard]] int blocks() const { return (count + block_lanes - 1) / block_lanes; }
     [[nodiscard]] int filled(int block) const {
@@ -83,6 +88,17 @@ struct Batch {
 /// by build_mesh.
 [[nodiscard]] Batch make_batch(const Scene& scene, const Mesh& mesh, std::int32_t body,
                                const std::vector<std::array<bool, 2>>& held);
+
+/// Sets the state of all elements to the undeformed, unstressed one.
+void reset_state(Batch& batch);
+
+/// What an element's law remembers of its plastic flow, means over its volume.
+struct PlasticState {
+    double strain = 0;       ///< equivalent plastic strain
+    double yield = 0;        ///< yield stress; infinite where the material is elastic [stress]
+    double temperature = 0;  ///< 0 where the law has none [temperature]
+};
+[[nodiscard]] PlasticState plastic_state(const Batch& batch, const Node* nodes, std::int32_t element);
 
 /// Mean stress (rr, zz, hoop, shear; tension positive) of element `element` of the batch [stress].
 [[nodiscard]] std::array<double, 4> mean_stress(const Batch& batch, const Node* nodes, std::int32_t element);

@@ -46,36 +46,40 @@ double run_frequency(const Batch& batch, const Node* nodes, int begin, int end) 
 
 template <class Element, class Frequency, class Real>
 KernelSet kernel_set() {
-    return {&run_forces<Element, Real>, &run_frequency<Frequency, Real>, Element::state_size};
+    return {&run_forces<Element, Real>, &run_frequency<Frequency, Real>, Element::state_size,
+            Element::points,            Element::law_begin,              (Element::state_size - Element::law_begin) / Element::points};
 }
 
-template <class Real, Geometry geometry, bool viscous>
+template <class Law, class Real, Geometry geometry, bool viscous>
 KernelSet kernel_of_kind(const KernelChoice& choice) {
     if (choice.kind == ElementKind::quad_mean_dilatation)
-        return kernel_set<QuadMeanDilatation<Elastic, geometry, viscous>, QuadMeanDilatationFrequency<geometry, viscous>,
+        return kernel_set<QuadMeanDilatation<Law, geometry, viscous>, QuadMeanDilatationFrequency<geometry, viscous>,
                           Real>();
     if (choice.kind == ElementKind::triangle)
-        return kernel_set<Triangle<Elastic, geometry, viscous>, TriangleFrequency<geometry, viscous>, Real>();
+        return kernel_set<Triangle<Law, geometry, viscous>, TriangleFrequency<geometry, viscous>, Real>();
     if (choice.hourglass)
-        return kernel_set<QuadOnePoint<Elastic, geometry, true, viscous>, QuadOnePointFrequency<geometry, true, viscous>,
+        return kernel_set<QuadOnePoint<Law, geometry, true, viscous>, QuadOnePointFrequency<geometry, true, viscous>,
                           Real>();
-    return kernel_set<QuadOnePoint<Elastic, geometry, false, viscous>, QuadOnePointFrequency<geometry, false, viscous>,
+    return kernel_set<QuadOnePoint<Law, geometry, false, viscous>, QuadOnePointFrequency<geometry, false, viscous>,
                       Real>();
 }
 
-template <class Real, Geometry geometry>
+template <class Law, class Real, Geometry geometry>
 KernelSet kernel_of_effects(const KernelChoice& choice) {
-    return choice.viscous ? kernel_of_kind<Real, geometry, true>(choice) : kernel_of_kind<Real, geometry, false>(choice);
+    return choice.viscous ? kernel_of_kind<Law, Real, geometry, true>(choice)
+                          : kernel_of_kind<Law, Real, geometry, false>(choice);
 }
 
-template <class Real>
+template <class Law, class Real>
 KernelSet kernel_of_geometry(const KernelChoice& choice) {
     switch (choice.geometry) {
-        case Geometry::axisymmetric: return kernel_of_effects<Real, Geometry::axisymmetric>(choice);
-        case Geometry::plane_strain: return kernel_of_effects<Real, Geometry::plane_strain>(choice);
+        case Geometry::axisymmetric: return kernel_of_effects<Law, Real, Geometry::axisymmetric>(choice);
+        case Geometry::plane_strain: return kernel_of_effects<Law, Real, Geometry::plane_strain>(choice);
         case Geometry::plane_stress: break;
     }
-    return kernel_of_effects<Real, Geometry::plane_stress>(choice);
+    // A plastic law would need the thickness to follow: scenes refuse it.
+    if constexpr (Law::extra_state == 0) return kernel_of_effects<Law, Real, Geometry::plane_stress>(choice);
+    return {};
 }
 
 }  // namespace percuss::PERCUSS_ISA

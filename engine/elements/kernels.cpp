@@ -3,9 +3,12 @@
 namespace percuss {
 
 KernelSet find_kernel_baseline(const KernelChoice& choice);
+KernelSet find_plastic_kernel_baseline(const KernelChoice& choice);
 #ifdef PERCUSS_X86_KERNELS
 KernelSet find_kernel_avx2(const KernelChoice& choice);
+KernelSet find_plastic_kernel_avx2(const KernelChoice& choice);
 KernelSet find_kernel_avx512(const KernelChoice& choice);
+KernelSet find_plastic_kernel_avx512(const KernelChoice& choice);
 #endif
 
 InstructionSet best_instruction_set() {
@@ -26,13 +29,14 @@ std::string_view name_of(InstructionSet set) {
 }
 
 KernelSet find_kernel(const KernelChoice& choice, InstructionSet set) {
+    const bool plastic = choice.law != PlasticLaw::none;
 #ifdef PERCUSS_X86_KERNELS
-    if (set == InstructionSet::avx512) return find_kernel_avx512(choice);
-    if (set == InstructionSet::avx2) return find_kernel_avx2(choice);
+    if (set == InstructionSet::avx512) return plastic ? find_plastic_kernel_avx512(choice) : find_kernel_avx512(choice);
+    if (set == InstructionSet::avx2) return plastic ? find_plastic_kernel_avx2(choice) : find_kernel_avx2(choice);
 #else
     static_cast<void>(set);
 #endif
-    return find_kernel_baseline(choice);
+    return plastic ? find_plastic_kernel_baseline(choice) : find_kernel_baseline(choice);
 }
 
 }  // namespace percuss

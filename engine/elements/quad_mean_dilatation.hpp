@@ -9,7 +9,9 @@ namespace percuss::PERCUSS_ISA {
 template <class Law, Geometry geometry, bool viscous>
 struct QuadMeanDilatation {
     static constexpr int corners = 4;
-    static constexpr int state_size = 4 * 3 + (viscous ? 1 : 0);  // m, d, s at each point; viscous pressure
+    static constexpr int points = 4;
+    static constexpr int law_begin = 4 * 3 + (viscous ? 1 : 0);  // after m, d, s at each point; viscous pressure
+    static constexpr int state_size = law_begin + 4 * Law::extra_state;
 
     template <class Real>
     [[gnu::always_inline]] static void update(Batch& batch, const Node* nodes, double dt, int block, int lane,
@@ -79,7 +81,14 @@ struct QuadMeanDilatation {
             double* at = state + point * (3 * block_lanes);
             Deviator<Real> s{load<Real>(at), load<Real>(at + block_lanes), load<Real>(at + 2 * block_lanes)};
             rotate(s, strain.cosine, strain.sine);
-            Law::template update<Real>(s, strain.deviator, material);
+            if constexpr (Law::extra_state == 0) {
+                Law::template update<Real>(s, strain.deviator, material);
+            } else {
+                double* extra = state + (law_begin + point * Law::extra_state) * block_lanes;
+                const Real work =
+                    Law::template update<Real>(s, strain.deviator, extra, batch, b.volume / initial_volume, dt);
+                add_to(sums.plastic + lane, Real(work * inverse_ratio * jacobian * radius));
+            }
             store(at, s.m);
             store(at + block_lanes, s.d);
             store(at + 2 * block_lanes, s.s);

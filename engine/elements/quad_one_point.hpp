@@ -10,8 +10,10 @@ namespace percuss::PERCUSS_ISA {
 template <class Law, Geometry geometry, bool hourglass, bool viscous>
 struct QuadOnePoint {
     static constexpr int corners = 4;
-    // m, d, s; hourglass forces x, y; viscous pressure
-    static constexpr int state_size = 3 + (hourglass ? 2 : 0) + (viscous ? 1 : 0);
+    static constexpr int points = 1;
+    // after m, d, s; hourglass forces x, y; viscous pressure
+    static constexpr int law_begin = 3 + (hourglass ? 2 : 0) + (viscous ? 1 : 0);
+    static constexpr int state_size = law_begin + Law::extra_state;
 
     template <class Real>
     [[gnu::always_inline]] static void update(Batch& batch, const Node* nodes, double dt, int block, int lane,
@@ -43,7 +45,14 @@ struct QuadOnePoint {
         // Stress: pressure from the volume, deviator from the law.
         Deviator<Real> s{load<Real>(state), load<Real>(state + block_lanes), load<Real>(state + 2 * block_lanes)};
         rotate(s, strain.cosine, strain.sine);
-        Law::template update<Real>(s, strain.deviator, material);
+        if constexpr (Law::extra_state == 0) {
+            Law::template update<Real>(s, strain.deviator, material);
+        } else {
+            const Real initial = load<Real>(batch.volume.data() + first * block_lanes + lane);
+            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes, batch,
+                                                         b.volume / initial, dt);
+            add_to(sums.plastic + lane, Real(work * initial));
+        }
         store(state, s.m);
         store(state + block_lanes, s.d);
         store(state + 2 * block_lanes, s.s);
@@ -54,7 +63,7 @@ struct QuadOnePoint {
             const Real area = 4.0 * g.j0;
             const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio, square_root(area), dt,
                                                 material);
-            double* kept = state + (state_size - 1) * block_lanes;
+            double* kept = state + (law_begin - 1) * block_lanes;
             add_to(sums.viscous + lane, viscous_work<Real>(kept, q, strain.trace * b.volume));
             mean -= q;
         }

@@ -8,7 +8,9 @@ namespace percuss::PERCUSS_ISA {
 template <class Law, Geometry geometry, bool viscous>
 struct Triangle {
     static constexpr int corners = 3;
-    static constexpr int state_size = 3 + (viscous ? 1 : 0);  // m, d, s; viscous pressure
+    static constexpr int points = 1;
+    static constexpr int law_begin = 3 + (viscous ? 1 : 0);  // after m, d, s; viscous pressure
+    static constexpr int state_size = law_begin + Law::extra_state;
 
     template <class Real>
     [[gnu::always_inline]] static void update(Batch& batch, const Node* nodes, double dt, int block, int lane,
@@ -43,7 +45,14 @@ struct Triangle {
 
         Deviator<Real> s{load<Real>(state), load<Real>(state + block_lanes), load<Real>(state + 2 * block_lanes)};
         rotate(s, strain.cosine, strain.sine);
-        Law::template update<Real>(s, strain.deviator, material);
+        if constexpr (Law::extra_state == 0) {
+            Law::template update<Real>(s, strain.deviator, material);
+        } else {
+            const Real initial = load<Real>(batch.volume.data() + first * block_lanes + lane);
+            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes, batch,
+                                                         volume / initial, dt);
+            add_to(sums.plastic + lane, Real(work * initial));
+        }
         store(state, s.m);
         store(state + block_lanes, s.d);
         store(state + 2 * block_lanes, s.s);

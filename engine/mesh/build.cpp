@@ -11,6 +11,7 @@
 #include "mesh/join.hpp"
 #include "scene/faults.hpp"
 #include "scene/readers.hpp"
+#include "mesh/wall.hpp"
 
 namespace percuss {
 namespace {
@@ -177,6 +178,7 @@ Mesh build_mesh(const Scene& scene) {
     if (scene.bodies.empty()) faults.error({}, "the mesh is empty; add a [[body]]");
     for (const auto& body : scene.bodies) BodyMesher(scene, body, faults).append_to(mesh);
     faults.throw_if_any();
+    append_walls(scene, mesh);
     return mesh;
 }
 

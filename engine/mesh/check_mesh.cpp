@@ -7,6 +7,7 @@
 #include "mesh/overlap.hpp"
 #include "mesh/segment_tree.hpp"
 #include "mesh/select.hpp"
+#include "mesh/wall.hpp"
 #include "scene/faults.hpp"
 
 namespace percuss {
@@ -24,6 +25,7 @@ class MeshCheck {
     }
 
     void check_pair(const ContactPair& pair) const {
+        if (const Wall* wall = find_wall(scene_, pair.slave.body)) return check_wall(pair, *wall);
         const auto &master = *bodies_.at(pair.master.body), &slave = *bodies_.at(pair.slave.body);
         if (&master == &slave) check_disjoint(pair, master);
         const double tolerance = 1e-9 * std::min(sides_.at(master.name), sides_.at(slave.name));
@@ -63,6 +65,27 @@ class MeshCheck {
   private:
     [[nodiscard]] std::string text(const Vec2& point) const {
         return fmt::format("({:.6g}, {:.6g}) {}", point.x(), point.y(), scene_.units.length_name());
+    }
+
+    void check_wall(const ContactPair& pair, const Wall& wall) const {
+        const MeshBody& master = *bodies_.at(pair.master.body);
+        double deepest = 1e-9 * sides_.at(master.name);
+        std::int32_t at = -1;
+        for (const Edge* chain : surface_chains(master, pair.master.edge)) {
+            for (const std::int32_t node : chain->nodes) {
+                const double depth = -distance(wall, mesh_.nodes[static_cast<std::size_t>(node)]);
+                if (depth > deepest) {
+                    deepest = depth;
+                    at = node;
+                }
+            }
+        }
+        if (at < 0) return;
+        faults_.error(pair.place,
+                      fmt::format("contact '{}': body '{}' reaches {:.6g} {} into wall '{}' at {}; move it out of the wall, or "
+                                  "turn the wall's normal if it faces the wrong way",
+                                  pair.name, master.name, deepest, scene_.units.length_name(), wall.name,
+                                  text(mesh_.nodes[static_cast<std::size_t>(at)])));
     }
 
     /// A node on both sides of a pair would be master and slave of itself.

@@ -42,6 +42,7 @@ struct Mesh {
     std::vector<Vec2> nodes;
     std::vector<Cell> cells;
     std::vector<MeshBody> bodies;
+    std::vector<Edge> walls;  ///< one side each, between two nodes beyond those of the bodies, which never move
 
     [[nodiscard]] std::int32_t node_count() const { return static_cast<std::int32_t>(nodes.size()); }
     [[nodiscard]] std::int32_t cell_count() const { return static_cast<std::int32_t>(cells.size()); }

@@ -8,7 +8,7 @@
 namespace percuss::layout {
 namespace {
 
-constexpr std::array<std::pair<Quantity, std::string_view>, 13> names{{
+constexpr std::array<std::pair<Quantity, std::string_view>, 14> names{{
     {Quantity::dimensionless, "dimensionless"},
     {Quantity::length, "length"},
     {Quantity::time, "time"},
@@ -22,6 +22,7 @@ constexpr std::array<std::pair<Quantity, std::string_view>, 13> names{{
     {Quantity::energy, "energy"},
     {Quantity::density, "density"},
     {Quantity::rate, "rate"},
+    {Quantity::temperature, "temperature"},
 }};
 
 }  // namespace

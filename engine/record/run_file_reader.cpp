@@ -7,6 +7,7 @@
 #include "record/hdf5.hpp"
 #include "record/layout.hpp"
 #include "record/mesh_record.hpp"
+#include "run/fields.hpp"
 #include "scene/parse.hpp"
 
 namespace percuss {
@@ -107,7 +108,7 @@ struct RunFile::Impl {
         const auto velocity = row<double>("body_velocity", index, 2 * bodies);
         for (std::size_t b = 0; b < bodies; ++b) snapshot.bodies.push_back({pair_at(velocity, b)});
         const auto e = row<double>("energies", index, layout::energy_columns.size());
-        snapshot.energy = {e[0], e[1], e[2], e[3], e[4], e[5]};
+        snapshot.energy = {e[0], e[1], e[2], e[3], e[4], e[5], e[6]};
     }
 
     std::shared_ptr<const Snapshot> read_frame(std::int64_t index) const {
@@ -127,6 +128,11 @@ struct RunFile::Impl {
         const auto stress = row<double>("stress", index, 4 * cells);
         snapshot->stress.resize(cells);
         for (std::size_t i = 0; i < stress.size(); ++i) snapshot->stress[i / 4][i % 4] = stress[i];
+        if (has_plasticity(setup->scene)) {
+            snapshot->plastic_strain = row<double>("plastic_strain", index, cells);
+            snapshot->yield_stress = row<double>("yield_stress", index, cells);
+        }
+        if (ambient_temperature(setup->scene)) snapshot->temperature = row<double>("temperature", index, cells);
         read_contacts(index, *snapshot);
         read_states(index, *snapshot);
         const std::int32_t status = row<std::int32_t>("status", index, 1).front();

@@ -75,6 +75,7 @@ struct RunFileWriter::Impl {
     Handle file, frames, history;  // before what they hold: closed last
     Rows time, step, dt, critical_step, status;
     Rows position, velocity, stress, von_mises, pressure;
+    Rows plastic_strain, yield_stress, temperature;
     Rows contact_begin, contact_node, contact_pair, contact_master, contact_force;
     Rows pair_force, pair_active, pair_penetration, body_velocity, energies;
     Rows history_rows, summary;
@@ -109,6 +110,12 @@ struct RunFileWriter::Impl {
         stress = number_rows(frames, "stress", Quantity::stress, {cells, 4}, 1);
         von_mises = number_rows(frames, "von_mises", Quantity::stress, {cells}, 1);
         pressure = number_rows(frames, "pressure", Quantity::stress, {cells}, 1);
+        if (has_plasticity(setup->scene)) {
+            plastic_strain = number_rows(frames, "plastic_strain", Quantity::dimensionless, {cells}, 1);
+            yield_stress = number_rows(frames, "yield_stress", Quantity::stress, {cells}, 1);
+        }
+        if (ambient_temperature(setup->scene))
+            temperature = number_rows(frames, "temperature", Quantity::temperature, {cells}, 1);
         contact_begin = Rows(frames.id(), "contact_begin", H5T_NATIVE_INT64, {2}, few);
         contact_node = integer_rows(frames, "contact_node", {}, many);
         contact_pair = integer_rows(frames, "contact_pair", {}, many);
@@ -193,7 +200,7 @@ struct RunFileWriter::Impl {
         body_velocity.append(std::span<const double>(body));
         const Energies& e = snapshot.energy;
         const std::array<double, layout::energy_columns.size()> energy{e.kinetic, e.internal, e.hourglass,
-                                                                       e.viscous, e.contact,  e.external};
+                                                                       e.viscous, e.contact,  e.external, e.plastic};
         energies.append(std::span<const double>(energy));
     }
 
@@ -211,6 +218,11 @@ struct RunFileWriter::Impl {
         stress.append(std::span<const double>(snapshot.stress.front().data(), 4 * snapshot.stress.size()));
         von_mises.append(std::span<const double>(field_values(snapshot, von_mises_field)));
         pressure.append(std::span<const double>(field_values(snapshot, pressure_field)));
+        if (plastic_strain) {
+            plastic_strain.append(std::span<const double>(snapshot.plastic_strain));
+            yield_stress.append(std::span<const double>(snapshot.yield_stress));
+        }
+        if (temperature) temperature.append(std::span<const double>(snapshot.temperature));
         append_contacts(snapshot);
         append_states(snapshot);
         flush();                            // the frame first,
@@ -244,8 +256,8 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::shared_ptr<
     impl_->setup = std::move(setup);
     const Scene& scene = impl_->setup->scene;
     impl_->every = static_cast<std::size_t>(std::max(scene.record.history_every, 1));
-    impl_->von_mises_field = find_field(scene.geometry, "von_mises");
-    impl_->pressure_field = find_field(scene.geometry, "pressure");
+    impl_->von_mises_field = find_field(scene, "von_mises");
+    impl_->pressure_field = find_field(scene, "pressure");
     impl_->file = create_file(file);
     impl_->named([&] {
         write_origin(impl_->file.id(), scene);

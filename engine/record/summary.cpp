@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "run/fields.hpp"
@@ -42,6 +43,7 @@ Json energy(const RunStatistics& statistics, const Energies& last) {
             {"internal", last.internal},
             {"hourglass", last.hourglass},
             {"viscous", last.viscous},
+            {"plastic", last.plastic},
             {"contact", last.contact},
             {"external", last.external},
             {"balance", last.balance()}};
@@ -75,10 +77,40 @@ Json contacts(const Scene& scene, const RunStatistics& statistics, const Names& 
     return result;
 }
 
-Json bodies(const Scene& scene, const Snapshot& last, const Names& names) {
+/// Smallest and largest coordinate of a body's nodes.
+Json extent(const Mesh& mesh, const Snapshot& last, std::size_t body, const Names& names) {
+    Json result = Json::object();
+    const MeshBody& part = mesh.bodies[body];
+    for (std::size_t d = 0; d < 2; ++d) {
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        for (auto n = static_cast<std::size_t>(part.node_begin); n < static_cast<std::size_t>(part.node_end); ++n) {
+            least = std::min(least, last.position[2 * n + d]);
+            most = std::max(most, last.position[2 * n + d]);
+        }
+        result[names[d]] = {{"min", least}, {"max", most}, {"length", most - least}};
+    }
+    return result;
+}
+
+Json bodies(const RunSetup& setup, const RunStatistics& statistics, const Snapshot& last, const Names& names) {
+    const Scene& scene = setup.scene;
     Json result = Json::object();
     for (std::size_t b = 0; b < std::min(scene.bodies.size(), last.bodies.size()); ++b) {
-        result[scene.bodies[b].name] = {{"velocity", by_direction(names, last.bodies[b].velocity)}};
+        Json& body = result[scene.bodies[b].name];
+        body = {{"velocity", by_direction(names, last.bodies[b].velocity)}, {"extent", extent(setup.mesh, last, b, names)}};
+        if (b < statistics.bodies.size()) {
+            const BodyEnergies& e = statistics.bodies[b];
+            body["energy"] = {{"kinetic", e.kinetic},
+                              {"elastic", e.elastic},
+                              {"plastic", e.plastic},
+                              {"hourglass", e.hourglass},
+                              {"viscous", e.viscous}};
+        }
+        if (!last.plastic_strain.empty()) {
+            const auto cells = last.plastic_strain.begin();
+            const MeshBody& part = setup.mesh.bodies[b];
+            body["plastic_strain_max"] = *std::max_element(cells + part.cell_begin, cells + part.cell_end);
+        }
     }
     return result;
 }
@@ -151,7 +183,7 @@ nlohmann::ordered_json make_summary(const RunSetup& setup, const RunStatistics& 
     summary["energy"] = energy(statistics, last.energy);
     summary["momentum"] = momentum(statistics, names, scene.geometry);
     summary["contact"] = contacts(scene, statistics, names);
-    summary["body"] = bodies(scene, last, names);
+    summary["body"] = bodies(setup, statistics, last, names);
     summary["exact"] = exact_answers(scene, history);
     summary["state_hash"] = statistics.state_hash;
     summary["units"] = unit_labels(scene.units);

@@ -22,6 +22,11 @@ std::int32_t nearest(std::int32_t begin, std::int32_t end, const Vec2& point, Ce
 
 }  // namespace
 
+CellValues cell_values(const Batch& batch, const Node* nodes, std::int32_t element) {
+    const PlasticState plastic = plastic_state(batch, nodes, element);
+    return {mean_stress(batch, nodes, element), plastic.strain, plastic.yield, plastic.temperature};
+}
+
 std::vector<ProbeReading> bind_probes(const Scene& scene, const Mesh& mesh) {
     const auto node_at = [&](std::int32_t node) -> Vec2 { return mesh.nodes[static_cast<std::size_t>(node)]; };
     const auto centre_of = [&](std::int32_t cell) -> Vec2 {
@@ -37,7 +42,7 @@ std::vector<ProbeReading> bind_probes(const Scene& scene, const Mesh& mesh) {
                                        [&](const MeshBody& b) { return b.name == probe.body; });
         for (const std::string& quantity : probe.record) {
             ProbeReading reading;
-            reading.field = find_field(scene.geometry, quantity);
+            reading.field = find_field(scene, quantity);
             reading.body = static_cast<std::int32_t>(body - mesh.bodies.begin());
             if (reading.field.per_cell) {
                 reading.cell = nearest(body->cell_begin, body->cell_end, probe.at, centre_of);

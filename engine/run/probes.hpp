@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "elements/batch.hpp"
 #include "run/fields.hpp"
 
 namespace percuss {
@@ -17,5 +18,8 @@ struct ProbeReading {
 
 /// One reading for each probe and recorded quantity, in the scene's order.
 [[nodiscard]] std::vector<ProbeReading> bind_probes(const Scene& scene, const Mesh& mesh);
+
+/// What a probe reads of an element; an elastic one is at temperature 0.
+[[nodiscard]] CellValues cell_values(const Batch& batch, const Node* nodes, std::int32_t element);
 
 }  // namespace percuss

@@ -32,11 +32,12 @@ struct ContactForce {
 /// The energy ledger, [energy], of the whole ring when axisymmetric, of the thickness when plane.
 struct Energies {
     double kinetic = 0;
-    double internal = 0;   ///< work of all internal nodal forces: strain + hourglass + viscous
+    double internal = 0;   ///< work of all internal nodal forces: strain + hourglass + viscous + plastic
     double hourglass = 0;  ///< part of internal
     double viscous = 0;    ///< part of internal
     double contact = 0;    ///< work done on the bodies by contact forces (negative: energy lost at the contact)
     double external = 0;   ///< E of the paper: initial kinetic energy + work of loads, body forces, prescribed motion
+    double plastic = 0;    ///< part of internal
     /// e = E - I - K of the paper: what the contact took away.
     [[nodiscard]] double balance() const { return external - internal - kinetic; }
 };
@@ -63,6 +64,9 @@ struct Snapshot {
     std::vector<double> position;  ///< 2 per node [length]
     std::vector<double> velocity;  ///< 2 per node, at time - dt/2 [velocity]
     std::vector<StressMean> stress;  ///< one per cell
+    std::vector<double> plastic_strain;  ///< equivalent, one per cell, means; empty when no body is plastic
+    std::vector<double> yield_stress;    ///< likewise; infinite in elastic bodies [stress]
+    std::vector<double> temperature;     ///< one per cell; empty when no material heats [temperature]
     std::vector<ContactForce> contact_forces;
     std::vector<PairState> pairs;   ///< in the order of scene.contacts
     std::vector<BodyState> bodies;  ///< in the order of scene.bodies

@@ -28,6 +28,13 @@ struct PairStatistics {
     double work = 0;                       ///< work done on the bodies by this pair's forces [energy]
 };
 
+/// Where a body's energy went, [energy] as in Energies.
+struct BodyEnergies {
+    double kinetic = 0;  ///< at the last velocities, half a step before the end
+    double elastic = 0;  ///< stored by strains
+    double plastic = 0, hourglass = 0, viscous = 0;  ///< works since the start
+};
+
 /// What a run did, counted while it ran.
 struct RunStatistics {
     std::int64_t steps = 0;
@@ -45,6 +52,7 @@ struct RunStatistics {
     double momentum_scale = 0;  ///< sum of m |v| at the start, what momentum errors are divided by
     double angular_momentum_initial = 0, angular_momentum_final = 0;  ///< plane scenes only
     std::vector<PairStatistics> pairs;
+    std::vector<BodyEnergies> bodies;  ///< in the order of scene.bodies; empty while the run goes on
     std::string state_hash;  ///< FNV-1a 64 of positions, velocities and element states, 16 hex digits
     int threads = 1;
 };

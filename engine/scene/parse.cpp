@@ -38,8 +38,8 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::vec
     scene.text = text;
     scene.overrides = overrides;
     TableReader root(faults, tree, "the scene", "");
-    for (const auto read : {read_header, read_model, read_materials, read_bodies, read_contacts, read_probes,
-                            read_recording, read_view, read_promises})
+    for (const auto read : {read_header, read_model, read_materials, read_bodies, read_walls, read_contacts,
+                            read_probes, read_recording, read_view, read_promises})
         read(root, scene);
     root.finish();
     faults.throw_if_any();

@@ -18,6 +18,11 @@ void report_body(TableReader& reader, std::string_view key, const Scene& scene, 
     reader.error(key, fmt::format("unknown body '{}'{}", name, suggest_name(name, names_of(scene.bodies))));
 }
 
+bool is_wall(const Scene& scene, const std::string& name) {
+    const auto names = names_of(scene.walls);
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// "body" or "body.edge"; nothing when it is faulty.
 std::optional<SurfaceName> read_surface(TableReader& reader, std::string_view key, const Scene& scene) {
     reader.need(key, fmt::format("{} = \"BODY.EDGE\" or \"BODY\"", key));
@@ -27,6 +32,13 @@ std::optional<SurfaceName> read_surface(TableReader& reader, std::string_view ke
     SurfaceName surface{text->substr(0, dot), dot == std::string::npos ? "" : text->substr(dot + 1),
                         reader.place(key)};
     const auto* body = find_body(scene, surface.body);
+    if (!body && is_wall(scene, surface.body)) {
+        if (key == "slave" && dot == std::string::npos) return surface;
+        reader.error(key, key == "slave"
+                              ? fmt::format("wall '{}' has no edges; write slave = \"{}\"", surface.body, surface.body)
+                              : fmt::format("'{}' is a wall; walls can only be slaves, swap the two", surface.body));
+        return std::nullopt;
+    }
     if (!body) {
         report_body(reader, key, scene, surface.body);
         return std::nullopt;
@@ -78,8 +90,6 @@ void read_contacts(TableReader& root, Scene& scene) {
 }
 
 void read_probes(TableReader& root, Scene& scene) {
-    std::vector<std::string> fields;
-    for (const auto& field : available_fields(scene.geometry)) fields.push_back(field.name);
     for (auto& reader : root.tables("probe")) {
         Probe probe;
         probe.place = reader.place();
@@ -90,12 +100,11 @@ void read_probes(TableReader& root, Scene& scene) {
             report_body(reader, "body", scene, probe.body);
         reader.need("at", "at = [x, y]");
         if (const auto at = reader.numbers("at", 2)) probe.at = vec2(*at);
-        reader.need("record", fmt::format("record = [\"{}\"]", fields.front()));
+        reader.need("record", fmt::format("record = [\"{}\"]", available_fields(scene).front().name));
         probe.record = reader.texts("record").value_or(std::vector<std::string>{});
         for (const auto& quantity : probe.record)
-            if (std::find(fields.begin(), fields.end(), quantity) == fields.end())
-                reader.error("record", fmt::format("unknown quantity '{}'{}", quantity,
-                                                   suggest_name(quantity, fields)));
+            if (const auto fault = fault_of_field(scene, "quantity", quantity); !fault.empty())
+                reader.error("record", fault);
         reader.finish();
         scene.probes.push_back(std::move(probe));
     }

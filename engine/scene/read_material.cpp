@@ -31,6 +31,7 @@ void read_materials(TableReader& root, Scene& scene) {
         if (density && young)
             check_wave_speed(scene.units, material, reader.place(young_is_new ? "young" : "density"),
                              reader.faults());
+        read_plasticity(reader, scene, material);
         reader.finish();
         scene.materials.push_back(std::move(material));
     }

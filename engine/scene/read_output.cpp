@@ -14,11 +14,9 @@ void check_word(TableReader& reader, std::string_view key, std::string_view noun
         reader.error(key, fmt::format("unknown {} '{}'{}", noun, word, suggest_name(word, valid)));
 }
 
-void read_colouring(TableReader& reader, Geometry geometry, ViewOptions& view) {
+void read_colouring(TableReader& reader, const Scene& scene, ViewOptions& view) {
     if (const auto field = reader.text("field")) {
-        std::vector<std::string> names;
-        for (const auto& info : available_fields(geometry)) names.push_back(info.name);
-        check_word(reader, "field", "field", *field, names);
+        if (const auto fault = fault_of_field(scene, "field", *field); !fault.empty()) reader.error("field", fault);
         view.field = *field;
     }
     if (const auto range = reader.numbers("range", 2)) {
@@ -76,7 +74,7 @@ void read_view(TableReader& root, Scene& scene) {
     auto reader = root.table("view");
     if (!reader) return;
     auto& view = scene.view;
-    read_colouring(*reader, scene.geometry, view);
+    read_colouring(*reader, scene, view);
     view.edges = reader->flag("edges").value_or(view.edges);
     view.mirror = reader->flag("mirror").value_or(view.mirror);
     if (scene.geometry != Geometry::axisymmetric && reader->find("mirror"))

@@ -11,11 +11,16 @@ void read_header(TableReader& root, Scene& scene);     ///< percuss, title, desc
 void read_model(TableReader& root, Scene& scene);      ///< [model], [model.step]
 void read_materials(TableReader& root, Scene& scene);  ///< [[material]]
 void read_bodies(TableReader& root, Scene& scene);     ///< [[body]]
+void read_walls(TableReader& root, Scene& scene);      ///< [[wall]]
 void read_contacts(TableReader& root, Scene& scene);   ///< [[contact]]
 void read_probes(TableReader& root, Scene& scene);     ///< [[probe]]
 void read_recording(TableReader& root, Scene& scene);  ///< [record]
 void read_view(TableReader& root, Scene& scene);       ///< [view]
 void read_promises(TableReader& root, Scene& scene);   ///< [[exact]], [expect]
+
+// Part of [[material]].
+/// @pre name and elastic constants of `material` are read.
+void read_plasticity(TableReader& material_table, const Scene& scene, Material& material);
 
 // Parts of [[body]].
 /// @param cells count of cells so far, raised by those of this body; an absurd sum is a fault.

@@ -35,6 +35,39 @@ struct BulkViscosity {
     double quadratic = 0;  ///< coefficient of rho h^2 D^2, dimensionless (1.2 is usual)
 };
 
+/// Yield stress = yield + linear ep + saturation (1 - exp(-rate ep)), ep the equivalent plastic strain (linear + Voce).
+struct VoceHardening {
+    double yield = 0;       ///< at ep = 0 [stress]
+    double linear = 0;      ///< slope of the linear part [stress]
+    double saturation = 0;  ///< what the exponential part adds in the end [stress]
+    double rate = 0;        ///< how fast it does so, per unit of ep, dimensionless
+};
+
+/// Yield stress linear between points, constant after the last.
+struct TabulatedHardening {
+    std::vector<std::pair<double, double>> points;  ///< (ep, yield stress): ep rises from 0, yield stress does not fall
+};
+
+/// Johnson & Cook (1983): yield stress = (A + B ep^n) (1 + C ln(rate/reference)) (1 - T*^m) with the homologous temperature
+/// T* = (T - room) / (melting - room), the logarithm not below 0, and T* within 0 and 1. Plastic work heats the point
+/// (Taylor & Quinney): density heat_capacity dT = heat_fraction dW; no heat flows.
+struct JohnsonCook {
+    double yield = 0;               ///< A [stress]
+    double hardening = 0;           ///< B [stress]
+    double exponent = 1;            ///< n
+    double rate_factor = 0;         ///< C
+    double reference_rate = 1;      ///< plastic strain rate up to which the rate has no effect [1/time]
+    double softening_exponent = 1;  ///< m
+    double room_temperature = 293;  ///< below it nothing softens [temperature]
+    std::optional<double> melting_temperature;  ///< absent: no softening [temperature]
+    double initial_temperature = 293;           ///< [temperature]
+    std::optional<double> heat_capacity;        ///< absent: no heating [energy/(mass temperature)]
+    double heat_fraction = 0.9;                 ///< of the plastic work that becomes heat
+};
+
+/// How a material yields; monostate: never. The order is that of PlasticLaw.
+using Plasticity = std::variant<std::monostate, VoceHardening, TabulatedHardening, JohnsonCook>;
+
 struct Material {
     std::string name;
     double density = 0;  ///< [mass/length^3]
@@ -42,6 +75,7 @@ struct Material {
     double poisson = 0;  ///< -1 < nu < 0.5
     std::optional<BulkViscosity> viscosity;
     Place place;
+    Plasticity plasticity;
 };
 
 /// Shape of a block edge between its two corners.
@@ -111,9 +145,17 @@ struct Body {
     Place place;
 };
 
-/// One side of a contact pair: a named edge of a body, or its whole outline when `edge` is empty.
+/// A rigid, frictionless half space that does not move; contact pairs name it as their slave.
+struct Wall {
+    std::string name;
+    Vec2 point{0, 0};   ///< of its surface [length]
+    Vec2 normal{0, 1};  ///< unit, out of the wall
+    Place place;
+};
+
+/// One side of a contact pair: a named edge of a body, its whole outline when `edge` is empty, or a wall.
 struct SurfaceName {
-    std::string body;
+    std::string body;  ///< or wall
     std::string edge;
     Place place;
 };
@@ -197,6 +239,7 @@ struct Scene {
         0.5;  ///< run stops when the total energy exceeds (1 + limit) times the input
     std::vector<Material> materials;
     std::vector<Body> bodies;
+    std::vector<Wall> walls;
     std::vector<ContactPair> contacts;
     std::vector<Probe> probes;
     Recording record;

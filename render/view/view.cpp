@@ -100,7 +100,7 @@ void View::Impl::apply_options(ViewOptions chosen) {
         throw RenderError("a picture needs at least 64 x 64 pixels");
     const Scene& scene = setup->scene;
     try {
-        field = find_field(scene.geometry, chosen.field);
+        field = find_field(scene, chosen.field);
     } catch (const std::invalid_argument& error) {
         throw RenderError(error.what());
     }
