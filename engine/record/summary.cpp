@@ -75,6 +75,12 @@ Json contacts(const Scene& scene, const RunStatistics& statistics, const Names& 
     return result;
 }
 
+Json parameters(const Scene& scene) {
+    Json result = Json::object();
+    for (const Parameter& parameter : scene.parameters) result[parameter.name] = parameter.value;
+    return result;
+}
+
 Json bodies(const Scene& scene, const Snapshot& last, const Names& names) {
     Json result = Json::object();
     for (std::size_t b = 0; b < std::min(scene.bodies.size(), last.bodies.size()); ++b) {
@@ -133,6 +139,7 @@ nlohmann::ordered_json make_summary(const RunSetup& setup, const RunStatistics& 
     Json summary;
     summary["percuss"] = PERCUSS_VERSION;
     summary["scene"] = scene.title;
+    summary["parameters"] = parameters(scene);
     summary["status"] = status_name(last.status);
     summary["message"] = last.message;
     summary["time"] = last.time;
