@@ -8,10 +8,10 @@ namespace percuss {
 
 /// How one stretch of a block side is cut into cells of given sizes [length].
 struct Spacing {
-    std::optional<double> length;  ///< of the stretch; absent: the rest of the side
-    std::vector<double> sizes;     ///< of all cells; or, when empty:
-    double first = 0;              ///< size of the first cell,
-    double ratio = 1;              ///< growth from cell to cell,
+    std::optional<double> length{};  ///< of the stretch; absent: the rest of the side
+    std::vector<double> sizes{};     ///< of all cells; or, when empty:
+    double first = 0;                ///< size of the first cell,
+    double ratio = 1;                ///< growth from cell to cell,
     double largest = std::numeric_limits<double>::infinity();  ///< and where it ends
     bool from_end = false;  ///< `first` is the last cell, and cells grow backwards
 };

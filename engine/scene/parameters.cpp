@@ -96,7 +96,7 @@ std::optional<Expression> Parameters::compile(const std::string& text, const Pla
                 for (const auto& [parameter, unused] : entries_) known.push_back(parameter);
                 throw ExpressionError(fmt::format("unknown name '{}'{}", name, suggest_name(name, known)));
             }
-            const auto number = value(entry->second, place);
+            const auto number = value(entry->second);
             if (!number) return std::nullopt;
             values.emplace_back(name, *number);
         }
@@ -107,14 +107,15 @@ std::optional<Expression> Parameters::compile(const std::string& text, const Pla
     }
 }
 
-std::optional<double> Parameters::value(Entry& entry, const Place& asked) {
+std::optional<double> Parameters::value(Entry& entry) {
     const auto& name = entry.parameter.name;
     if (entry.state == State::reading) {
         std::string cycle;
         for (auto from = std::find(reading_.begin(), reading_.end(), name); from != reading_.end(); ++from)
             cycle += *from + " -> ";
-        faults_->error(asked, fmt::format("parameter '{}' depends on itself: {}{}; give one of them a number",
-                                          name, cycle, name));
+        faults_->error(entry.parameter.place,
+                       fmt::format("parameter '{}' depends on itself: {}{}; give one of them a number", name,
+                                   cycle, name));
         return std::nullopt;
     }
     if (entry.state == State::unread) {
@@ -132,6 +133,7 @@ bool Parameters::read(Entry& entry) {
     auto& parameter = entry.parameter;
     const std::string title = "parameter '" + parameter.name + "'";
     const toml::node* node = entry.node;
+    parameter.place = place_of(*node);
     std::optional<TableReader> table;
     if (const auto* declared = node->as_table()) {
         table.emplace(*faults_, *declared, title, "parameters." + parameter.name, this);
@@ -139,8 +141,10 @@ bool Parameters::read(Entry& entry) {
         parameter.unit = table->text("unit").value_or("");
         parameter.description = table->text("description").value_or("");
         if (const auto range = table->numbers("range", 2)) {
-            parameter.range = {(*range)[0], (*range)[1]};
-            if ((*range)[0] > (*range)[1]) table->error("range", "'range' is empty; write [lowest, highest]");
+            if ((*range)[0] <= (*range)[1])
+                parameter.range = {(*range)[0], (*range)[1]};
+            else
+                table->error("range", "'range' is empty; write [lowest, highest]");
         }
         table->finish();
     }
@@ -165,17 +169,16 @@ bool Parameters::read(Entry& entry) {
 }
 
 std::vector<Parameter> Parameters::all() {
-    std::vector<const Entry*> entries;
-    for (auto& [name, entry] : entries_) {
-        static_cast<void>(value(entry, entry.key));
-        entries.push_back(&entry);
-    }
+    std::vector<Entry*> entries;
+    for (auto& [name, entry] : entries_) entries.push_back(&entry);
     std::stable_sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) {
-        const auto key = [](const Entry* e) { return std::tuple(e->key.line, e->key.column); };
-        return key(a) < key(b);
+        return std::tuple(a->key.line, a->key.column) < std::tuple(b->key.line, b->key.column);
     });
     std::vector<Parameter> result;
-    for (const auto* entry : entries) result.push_back(entry->parameter);
+    for (auto* entry : entries) {
+        static_cast<void>(value(*entry));
+        result.push_back(entry->parameter);
+    }
     return result;
 }
 

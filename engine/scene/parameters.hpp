@@ -44,7 +44,7 @@ class Parameters {
         State state = State::unread;
         Parameter parameter;
     };
-    std::optional<double> value(Entry& entry, const Place& asked);
+    std::optional<double> value(Entry& entry);
     bool read(Entry& entry);
     std::optional<Expression> compile(const std::string& text, const Place& place, const std::string& what,
                                       const std::vector<std::string>& variables,

@@ -130,7 +130,7 @@ std::optional<std::int64_t> TableReader::whole(const toml::node& node, const std
     const auto expression = expression_in(node);
     if (!node.is_integer() && !expression) {
         const std::string found =
-            node.is_number() ? fmt::format("{}", *node.value<double>()) : type_name(node);
+            node.is_number() ? fmt::format("{:#}", *node.value<double>()) : type_name(node);
         faults_->error(place_of(node), fmt::format("{} is {}; it must be an integer", what, found));
         return std::nullopt;
     }
