@@ -75,12 +75,6 @@ Json contacts(const Scene& scene, const RunStatistics& statistics, const Names& 
     return result;
 }
 
-Json parameters(const Scene& scene) {
-    Json result = Json::object();
-    for (const Parameter& parameter : scene.parameters) result[parameter.name] = parameter.value;
-    return result;
-}
-
 Json bodies(const Scene& scene, const Snapshot& last, const Names& names) {
     Json result = Json::object();
     for (std::size_t b = 0; b < std::min(scene.bodies.size(), last.bodies.size()); ++b) {
@@ -115,6 +109,12 @@ const char* status_name(RunStatus status) {
         default:
             return "interrupted";
     }
+}
+
+Json parameters(const Scene& scene) {
+    Json result = Json::object();
+    for (const Parameter& parameter : scene.parameters) result[parameter.name] = parameter.value;
+    return result;
 }
 
 Json unit_labels(const Units& units) {
