@@ -17,13 +17,15 @@ class ContactAssembly {
   public:
     explicit ContactAssembly(std::int32_t node_count) : head_(static_cast<std::size_t>(node_count), -1) {}
 
-    /// @param inverse_mass 2 per node [1/mass]; @param factor dt * kick [time^2].
+    /// @pre the three nodes of a row differ. @param inverse_mass 2 per node [1/mass]; @param factor dt * kick
+    /// [time^2].
     void assemble(std::span<const ContactRow> rows, const double* inverse_mass, double factor,
                   ProfileMatrix& matrix);
 
   private:
     struct Link {
-        std::int32_t row, slot, next;
+        std::int32_t row, next;
+        double share;
     };
     std::vector<std::int32_t> head_;  ///< per node: its newest link, -1 between calls
     std::vector<Link> links_;

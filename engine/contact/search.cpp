@@ -99,14 +99,14 @@ void PenetrationSearch::find(const Node* nodes, double dt, std::vector<ContactRo
         if (memory.free_until > travelled_) continue;
         const Closest closest = closest_side(nodes, nodes[master_.nodes[m]].x, memory);
         if (!std::isfinite(closest.distance)) continue;  // a diverged state has no closest side
-        ContactRow row;
+        ContactRow& row = rows.emplace_back();
         if (enter_row(nodes, dt, static_cast<std::int32_t>(m), closest, memory.held, row)) {
             memory.held = row.side;
             memory.free_until = travelled_;  // looked at in every step
-            rows.push_back(row);
         } else {
+            rows.pop_back();
             memory.held = -1;
-            memory.free_until = travelled_ + std::max(0.0, closest.distance - end_reach_);
+            memory.free_until = travelled_ + free_distance(nodes, nodes[master_.nodes[m]].x, closest, memory);
         }
     }
 }
@@ -142,6 +142,27 @@ PenetrationSearch::Closest PenetrationSearch::closest_side(const Node* nodes, co
                                      {middle.previous, memory.side, middle.next});
     memory.others_from = travelled_ + other.distance;
     return closest_of_neighbours(nodes, x, memory.side);
+}
+
+/// How far the surfaces may move before the node can touch: up to the closest side, or up to where a face
+/// reaches past its end (an open one or a sharp corner).
+double PenetrationSearch::free_distance(const Node* nodes, const double* x, const Closest& closest,
+                                        const Memory& memory) const {
+    const auto distance = [&](std::int32_t node) {
+        return std::hypot(nodes[node].x[0] - x[0], nodes[node].x[1] - x[1]);
+    };
+    const auto is_end = [&](std::int32_t first, std::int32_t second) {
+        return first < 0 || second < 0 || sharp_corner(nodes, first, second);
+    };
+    double nearest_end = memory.others_from - travelled_;
+    const Side& middle = slave_.sides[static_cast<std::size_t>(memory.side)];
+    for (const std::int32_t index : {middle.previous, memory.side, middle.next}) {
+        if (index < 0) continue;
+        const Side& side = slave_.sides[static_cast<std::size_t>(index)];
+        if (is_end(side.previous, index)) nearest_end = std::min(nearest_end, distance(side.i));
+        if (is_end(index, side.next)) nearest_end = std::min(nearest_end, distance(side.j));
+    }
+    return std::max(0.0, std::min(closest.distance, nearest_end - end_reach_));
 }
 
 double PenetrationSearch::gap_before(const Node* nodes, double dt, std::int32_t node,

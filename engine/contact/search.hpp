@@ -49,6 +49,8 @@ class PenetrationSearch {
     void measure_lengths(const Node* nodes);
     [[nodiscard]] Closest closest_side(const Node* nodes, const double* x, Memory& memory);
     [[nodiscard]] Closest closest_of_neighbours(const Node* nodes, const double* x, std::int32_t side) const;
+    [[nodiscard]] double free_distance(const Node* nodes, const double* x, const Closest& closest,
+                                       const Memory& memory) const;
     [[nodiscard]] bool enter_row(const Node* nodes, double dt, std::int32_t master, const Closest& closest,
                                  std::int32_t held, ContactRow& row) const;
     [[nodiscard]] bool entered_neighbour(const Node* nodes, double dt, std::int32_t node, std::int32_t side,

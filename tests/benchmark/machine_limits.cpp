@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,18 +21,15 @@ Peak measure(InstructionSet set) {
 }
 
 double measure_bandwidth(std::size_t bytes) {
-    std::vector<double> data(bytes / sizeof(double), 1.0);
+    AlignedVector<double> data(bytes / sizeof(double), 1.0);
+    const Sweep sweep = peak_of(best_instruction_set()).sweep;
     const std::size_t sweeps = std::max<std::size_t>(4, (std::size_t{256} << 20) / bytes);
     double best = 0;
     for (int repeat = 0; repeat < 5; ++repeat) {
         const double start = thread_seconds();
-        for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
-            double* d = data.data();
-            asm volatile("" : "+r"(d) : : "memory");  // each sweep reads and writes anew
-            for (std::size_t k = 0; k < data.size(); ++k) d[k] *= 1.0000001;
-        }
-        const double seconds = thread_seconds() - start;
-        best = std::max(best, 2.0 * static_cast<double>(bytes) * static_cast<double>(sweeps) / seconds);
+        for (std::size_t turn = 0; turn < sweeps; ++turn) sweep(data.data(), data.size());
+        best = std::max(best, 2.0 * static_cast<double>(bytes) * static_cast<double>(sweeps) /
+                                  (thread_seconds() - start));
     }
     return best;
 }
@@ -67,8 +63,7 @@ void print_machine_limits() {
     for (const auto& [name, bytes] :
          {std::pair{"L2, 512 KiB", std::size_t{512} << 10}, std::pair{"L3, 8 MiB", std::size_t{8} << 20},
           std::pair{"memory, 256 MiB", std::size_t{256} << 20}})
-        fmt::print("  {:<16} {:6.1f} GB/s read and written (scalar baseline loop)\n", name,
-                   bandwidth(bytes) / 1e9);
+        fmt::print("  {:<16} {:6.1f} GB/s read and written\n", name, bandwidth(bytes) / 1e9);
     fmt::print("\n");
 }
 

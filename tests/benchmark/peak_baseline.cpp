@@ -5,7 +5,7 @@ namespace percuss::benchmarks {
 
 Peak measure_peak_baseline() {
     const double rate = baseline::separate_rate<double>();
-    return {rate, rate};
+    return {rate, rate, &baseline::sweep<double>};
 }
 
 }  // namespace percuss::benchmarks

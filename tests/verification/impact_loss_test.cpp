@@ -7,14 +7,16 @@ namespace percuss::testing {
 namespace {
 
 double loss_of_rods(double striker_element, double rod_element) {
-    RecordedRun run(rods({fmt::format("body.striker.block.0.divisions=[2,{}]", std::lround(100 / striker_element)),
-                  fmt::format("body.rod.block.0.divisions=[2,{}]", std::lround(200 / rod_element)), "model.duration=0.02"}));
+    RecordedRun run(
+        rods({fmt::format("body.striker.block.0.divisions=[2,{}]", std::lround(100 / striker_element)),
+              fmt::format("body.rod.block.0.divisions=[2,{}]", std::lround(200 / rod_element)),
+              "model.duration=0.02"}));
     run.to_end();
     return run.solver.statistics().maximum_loss;
 }
 
-// The first step takes exactly the closed form; later steps of the same contact move nodes that move alike already. What
-// the finite strain of 1e-3 changes of it is below 1e-3.
+// The first step takes exactly the closed form; later steps of the same contact move nodes that move alike
+// already. What the finite strain of 1e-3 changes of it is below 1e-3.
 constexpr double tolerance = 1e-3;
 
 TEST(ImpactLoss, OfRodsIsTheClosedForm) {
@@ -33,9 +35,11 @@ TEST(ImpactLoss, HalvesWithTheMesh) {
 TEST(ImpactLoss, OnARigidWallIsHalfAnElement) {
     // 1 / (2 N) of the energy: half of one element's mass stops.
     for (const int n : {10, 20, 40}) {
-        RecordedRun run(scene_of(scene_head("plane stress", 0.06, 0) + box_body("bar", {0, 0, 2, 100}, {1, n}, "velocity = [0, -10]") +
-                         box_body("wall", {-5, -5, 7, 0}, {3, 1}, "", "[[body.constraint]]\nfixed = [\"x\", \"y\"]") +
-                         contact_pair("hit", "bar.bottom", "wall.top")));
+        RecordedRun run(scene_of(
+            scene_head("plane stress", 0.06, 0) +
+            box_body("bar", {0, 0, 2, 100}, {1, n}, "velocity = [0, -10]") +
+            box_body("wall", {-5, -5, 7, 0}, {3, 1}, "", "[[body.constraint]]\nfixed = [\"x\", \"y\"]") +
+            contact_pair("hit", "bar.bottom", "wall.top")));
         run.to_end();
         EXPECT_NEAR(run.solver.statistics().maximum_loss, 0.5 / n, 0.5 / n * tolerance) << n << " elements";
     }

@@ -63,8 +63,10 @@ TEST(Rods, AtThePapersStepsHaveTheSpikeOfTheClosedForm) {
         RecordProperty(fmt::format("averaged_{}ns", nanoseconds), std::to_string(errors.averaged));
         RecordProperty(fmt::format("unaveraged_{}ns", nanoseconds), std::to_string(errors.unaveraged));
         EXPECT_LE(errors.averaged, 0.062) << nanoseconds << " ns";
-        // F1/F = dtc / (2 dt): the face nodes, rho A h / 2 each, stop in one step. Strains of 1e-3 change h and mass by less.
-        EXPECT_NEAR(errors.first_sample, element_transit / (2 * dt), 2e-3 * element_transit / (2 * dt)) << nanoseconds << " ns";
+        // F1/F = dtc / (2 dt): the face nodes, rho A h / 2 each, stop in one step. Strains of 1e-3 change h
+        // and mass by less.
+        EXPECT_NEAR(errors.first_sample, element_transit / (2 * dt), 2e-3 * element_transit / (2 * dt))
+            << nanoseconds << " ns";
         const RunStatistics s = run.solver.statistics();
         EXPECT_EQ(s.pairs[0].events, 2) << nanoseconds << " ns";
         EXPECT_LT(s.maximum_growth, 1e-12);
@@ -79,7 +81,8 @@ TEST(Rods, StayOneDimensional) {
     // The column of nodes on the axis moves as that on the rim; cells of a row agree.
     for (std::size_t row = 0; row < 100; ++row)
         for (std::size_t column = 1; column < 5; ++column)
-            most = std::max(most, std::abs(snapshot->stress[250 + 5 * row + column][1] - snapshot->stress[250 + 5 * row][1]));
+            most = std::max(most, std::abs(snapshot->stress[250 + 5 * row + column][1] -
+                                           snapshot->stress[250 + 5 * row][1]));
     // Rounding of the radial motion grows with steps; it feeds back through finite strains.
     EXPECT_LT(most, 1e-6 * plateau / 314);
 }
@@ -99,8 +102,9 @@ TEST(Rods, LaggedStressesChatterAndGainEnergy) {
 }
 
 TEST(Rods, LaggedForcesFollowTheirRecursion) {
-    // C_n = F(x_n) - 2 (dt/dtc)^2 C_(n-1): the face nodes, rho A h / 2 each, were moved back by dt^2 C / m, and the element
-    // beside them, of stiffness E A / h, has not heard of it. F is the force of that element at the corrected positions.
+    // C_n = F(x_n) - 2 (dt/dtc)^2 C_(n-1): the face nodes, rho A h / 2 each, were moved back by dt^2 C / m,
+    // and the element beside them, of stiffness E A / h, has not heard of it. F is the force of that element
+    // at the corrected positions.
     for (const double courant : {0.3, 0.5, 0.6}) {
         const double dt = courant * element_transit, area = 100 * std::numbers::pi;
         RecordedRun run(rods({fmt::format("model.step.fixed={:.17g}", dt), "model.lagged=true"}));

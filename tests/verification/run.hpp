@@ -1,11 +1,11 @@
 #pragma once
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "run/force_error.hpp"
 #include "scene/parse.hpp"
@@ -18,7 +18,8 @@ struct RecordedRun {
     Solver solver;
     History history;
 
-    explicit RecordedRun(const Scene& scene, int threads = 1) : solver(scene, threads), history(Solver::history_columns(scene)) {}
+    explicit RecordedRun(const Scene& scene, int threads = 1)
+        : solver(scene, threads), history(Solver::history_columns(scene)) {}
 
     /// One step, recorded. @throws std::runtime_error when the run diverges, which fails the test.
     void step() {
@@ -33,7 +34,8 @@ struct RecordedRun {
     [[nodiscard]] double unexplained_energy() const {
         const auto balance = column("energy.balance"), contact = column("energy.contact");
         double most = 0;
-        for (std::size_t n = 0; n < balance.size(); ++n) most = std::max(most, std::abs(balance[n] + contact[n]));
+        for (std::size_t n = 0; n < balance.size(); ++n)
+            most = std::max(most, std::abs(balance[n] + contact[n]));
         return most;
     }
 };
@@ -41,7 +43,8 @@ struct RecordedRun {
 /// Steel in mm, ms, kg: kN, GPa, J, m/s.
 inline constexpr double density = 7.85e-6, young = 210;
 
-inline std::string scene_head(const std::string& geometry, double duration, double poisson, const std::string& step = "courant = 0.9",
+inline std::string scene_head(const std::string& geometry, double duration, double poisson,
+                              const std::string& step = "courant = 0.9",
                               const std::string& material_extra = "") {
     return fmt::format(R"(percuss = 1
 [units]
@@ -63,7 +66,8 @@ poisson = {:.17g}
                        geometry, duration, step, poisson, material_extra);
 }
 
-/// A body of one rectangular block with edges bottom, right, top, left. @param extra keys and tables of the body; keys first.
+/// A body of one rectangular block with edges bottom, right, top, left. @param extra keys and tables of the
+/// body; keys first.
 inline std::string box_body(const std::string& name, std::array<double, 4> box, std::array<int, 2> divisions,
                             const std::string& keys = "", const std::string& tables = "") {
     return fmt::format(R"([[body]]
@@ -75,11 +79,12 @@ corners = [[{:.17g}, {:.17g}], [{:.17g}, {:.17g}], [{:.17g}, {:.17g}], [{:.17g},
 divisions = [{}, {}]
 {}
 )",
-                       name, keys, box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], divisions[0], divisions[1],
-                       tables);
+                       name, keys, box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3],
+                       divisions[0], divisions[1], tables);
 }
 
-inline std::string contact_pair(const std::string& name, const std::string& master, const std::string& slave) {
+inline std::string contact_pair(const std::string& name, const std::string& master,
+                                const std::string& slave) {
     return fmt::format("[[contact]]\nname = \"{}\"\nmaster = \"{}\"\nslave = \"{}\"\n", name, master, slave);
 }
 

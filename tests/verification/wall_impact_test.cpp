@@ -12,11 +12,12 @@ constexpr int elements = 100;
 const double wave_speed = std::sqrt(young / density);
 
 Scene bounce() {
-    return scene_of(scene_head("plane stress", 0.05, 0) +
-                        box_body("bar", {0, 0, width, length}, {1, elements}, "velocity = [0, -1]") +
-                        box_body("wall", {-5, -5, 7, 0}, {3, 1}, "", "[[body.constraint]]\nfixed = [\"x\", \"y\"]") +
-                        contact_pair("hit", "bar.bottom", "wall.top") +
-                        "[[probe]]\nname = \"middle\"\nbody = \"bar\"\nat = [1, 20.5]\nrecord = [\"stress.y\"]\n");
+    return scene_of(
+        scene_head("plane stress", 0.05, 0) +
+        box_body("bar", {0, 0, width, length}, {1, elements}, "velocity = [0, -1]") +
+        box_body("wall", {-5, -5, 7, 0}, {3, 1}, "", "[[body.constraint]]\nfixed = [\"x\", \"y\"]") +
+        contact_pair("hit", "bar.bottom", "wall.top") +
+        "[[probe]]\nname = \"middle\"\nbody = \"bar\"\nat = [1, 20.5]\nrecord = [\"stress.y\"]\n");
 }
 
 TEST(WallImpact, HasTheForceDurationAndRestitutionOfTheBar) {
@@ -42,7 +43,8 @@ TEST(WallImpact, StressIsTheImpedanceTimesTheSpeed) {
     double sum = 0;
     int count = 0;
     for (std::size_t n = 0; n < time.size(); ++n) {
-        if (time[n] * wave_speed < 30 || time[n] * wave_speed > 170) continue;  // front passed, its reflection not there yet
+        if (time[n] * wave_speed < 30 || time[n] * wave_speed > 170)
+            continue;  // front passed, its reflection not there yet
         sum += stress[n];
         ++count;
     }

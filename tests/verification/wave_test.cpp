@@ -10,10 +10,12 @@ namespace {
 constexpr double length = 100;
 constexpr int elements = 50;
 
-/// Circular frequency of the first standing wave cos(pi y / L), set going with 0.1 m/s and measured by its zero crossings.
-double first_frequency(const std::string& geometry, double poisson, const std::string& tables, double first = 0) {
+/// Circular frequency of the first standing wave cos(pi y / L), set going with 0.1 m/s and measured by its
+/// zero crossings.
+double first_frequency(const std::string& geometry, double poisson, const std::string& tables,
+                       double first = 0) {
     RecordedRun run(scene_of(scene_head(geometry, 0.2, poisson, "courant = 0.5") +
-                     box_body("bar", {first, 0, first + 1, length}, {1, elements}, "", tables)));
+                             box_body("bar", {first, 0, first + 1, length}, {1, elements}, "", tables)));
     SolverState state = run.solver.save();
     std::vector<double> shape;
     for (Node& node : state.nodes) {
@@ -39,7 +41,8 @@ double first_frequency(const std::string& geometry, double poisson, const std::s
     return std::numbers::pi * (crossings - 1) / (last_crossing - first_crossing);
 }
 
-/// omega = 2/h c sin(k h/2) of a chain of masses; the leapfrog's own correction is smaller by the square of courant.
+/// omega = 2/h c sin(k h/2) of a chain of masses; the leapfrog's own correction is smaller by the square of
+/// courant.
 double chain_frequency(double modulus) {
     const double h = length / elements;
     return 2 / h * std::sqrt(modulus / density) * std::sin(std::numbers::pi / elements / 2);
@@ -57,10 +60,12 @@ TEST(Wave, SpeedInABarIsTheRootOfYoungOverDensity) {
 }
 
 TEST(Wave, SpeedBetweenRigidSidesIsDilatational) {
-    const double nu = 0.3, modulus = young * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), exact = chain_frequency(modulus);
+    const double nu = 0.3, modulus = young * (1 - nu) / ((1 + nu) * (1 - 2 * nu)),
+                 exact = chain_frequency(modulus);
     const std::string tables = "[[body.constraint]]\nfixed = [\"x\"]";
     EXPECT_NEAR(first_frequency("plane strain", nu, tables), exact, tolerance * exact);
-    EXPECT_NEAR(first_frequency("axisymmetric", nu, "[[body.constraint]]\nfixed = [\"radial\"]", 5), exact, tolerance * exact);
+    EXPECT_NEAR(first_frequency("axisymmetric", nu, "[[body.constraint]]\nfixed = [\"radial\"]", 5), exact,
+                tolerance * exact);
 }
 
 TEST(Wave, SpeedInAPlateUsesThePlateModulus) {
@@ -73,10 +78,12 @@ TEST(Wave, FreeEndReturnsCompressionAsTension) {
     const double c = std::sqrt(young / density), duration = 40 / c;
     std::string points;
     for (int k = 0; k <= 32; ++k)
-        points += fmt::format("[{:.17g}, {:.17g}], ", duration * k / 32, 0.05 * (1 - std::cos(2 * std::numbers::pi * k / 32)));
+        points += fmt::format("[{:.17g}, {:.17g}], ", duration * k / 32,
+                              0.05 * (1 - std::cos(2 * std::numbers::pi * k / 32)));
     const std::string load = fmt::format("[[body.load]]\nedge = \"bottom\"\npressure = [{}]", points);
-    RecordedRun run(scene_of(scene_head("plane stress", 190 / c, 0) + box_body("bar", {0, 0, 2, 100}, {2, 100}, "", load) +
-                     "[[probe]]\nname = \"p\"\nbody = \"bar\"\nat = [1, 60.5]\nrecord = [\"stress.y\"]\n"));
+    RecordedRun run(scene_of(
+        scene_head("plane stress", 190 / c, 0) + box_body("bar", {0, 0, 2, 100}, {2, 100}, "", load) +
+        "[[probe]]\nname = \"p\"\nbody = \"bar\"\nat = [1, 60.5]\nrecord = [\"stress.y\"]\n"));
     run.to_end();
     const auto time = run.column("time"), stress = run.column("probe.p.stress.y"), dt = run.column("step.dt");
     double compression = 0, tension = 0, lowest = 0, highest = 0;

@@ -40,7 +40,8 @@ int ProfileCholesky::factorise(const ProfileMatrix& matrix, std::span<const char
         if (!active[static_cast<std::size_t>(i)]) continue;
         double* row = factor_.row(i);
         const std::int32_t first = factor_.first(i);
-        for (std::int32_t j = first; j < i; ++j) {  // row becomes L D; what stands in columns left out is lost below
+        for (std::int32_t j = first; j < i;
+             ++j) {  // row becomes L D; what stands in columns left out is lost below
             const double* above = factor_.row(j);
             double value = row[j];
             for (std::int32_t k = std::max(first, factor_.first(j)); k < j; ++k) value -= row[k] * above[k];

@@ -36,14 +36,16 @@ double tip_deflection(const ElementMesh::Options& options) {
 double beam_theory(const ElementMesh::Options& o) {
     const double length = o.box[2] - o.box[0], height = o.box[3] - o.box[1];
     const double modulus = o.young / (1 - o.poisson * o.poisson), shear = o.young / (2 * (1 + o.poisson));
-    return length * length * length / (3 * modulus * height * height * height / 12) + length / (5.0 / 6.0 * shear * height);
+    return length * length * length / (3 * modulus * height * height * height / 12) +
+           length / (5.0 / 6.0 * shear * height);
 }
 
 TEST(Bending, OfNearlyIncompressibleMaterialDoesNotLock) {
     // Plain full integration keeps 0.10 of the deflection of nu = 0.3; beam theory keeps 0.84.
     for (const ElementKind kind : {ElementKind::quad_one_point, ElementKind::quad_mean_dilatation}) {
         const auto soft = beam(kind, 0.3), stiff = beam(kind, 0.4999);
-        const double kept = tip_deflection(stiff) / tip_deflection(soft), exact = beam_theory(stiff) / beam_theory(soft);
+        const double kept = tip_deflection(stiff) / tip_deflection(soft),
+                     exact = beam_theory(stiff) / beam_theory(soft);
         RecordProperty(name_of(kind), std::to_string(kept));
         EXPECT_NEAR(kept, exact, 0.08 * exact) << name_of(kind);
     }
@@ -54,7 +56,8 @@ TEST(Bending, AgreesWithBeamTheory) {
         const auto o = beam(kind, 0.3);
         const double ratio = tip_deflection(o) / beam_theory(o);
         RecordProperty(name_of(kind), std::to_string(ratio));
-        // Four elements over the height: one-point quads without hourglass energy bend too easily by (4^2)/(4^2 - 1).
+        // Four elements over the height: one-point quads without hourglass energy bend too easily by
+        // (4^2)/(4^2 - 1).
         EXPECT_NEAR(ratio, 1, 0.07) << name_of(kind);
     }
 }
@@ -76,7 +79,8 @@ TEST(Hourglass, ModesAreResistedOnlyByTheirStiffness) {
             o.hourglass = 0.1;
             ElementMesh firm(o);
             const double with = firm.move(firm.displacement(mode)).norm();
-            // In a ring the mode has a little mean strain, of order cell / radius, here 1e-3 times lambda + 2 mu.
+            // In a ring the mode has a little mean strain, of order cell / radius, here 1e-3 times lambda + 2
+            // mu.
             EXPECT_LT(without, 0.02 * with) << name_of(geometry) << " direction " << direction;
             EXPECT_GT(with, 0.01 * 200 * 1e-6);
         }

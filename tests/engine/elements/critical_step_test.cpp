@@ -1,7 +1,7 @@
 // The element estimate of the critical step against the true one, 2 / omega_max of the assembled mesh.
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "engine/elements/element_mesh.hpp"
 
@@ -48,8 +48,9 @@ TEST(CriticalStep, EstimateIsNeverAboveTheTrueOneOnDistortedMeshes) {
                             const double ratio = estimate_over_true(o);
                             tightness.add(ratio);
                             EXPECT_LE(ratio, 1 + tolerance)
-                                << name_of(kind) << ", " << name_of(geometry) << ", nu " << poisson << ", slenderness "
-                                << slenderness << ", hourglass " << hourglass << ", inner radius " << inner;
+                                << name_of(kind) << ", " << name_of(geometry) << ", nu " << poisson
+                                << ", slenderness " << slenderness << ", hourglass " << hourglass
+                                << ", inner radius " << inner;
                         }
                     }
                 }
@@ -75,8 +76,10 @@ TEST(CriticalStep, EstimateIsCloseOnRegularMeshes) {
                 }
             }
             RecordProperty(name_of(kind) + " " + name_of(geometry), tightness.text());
-            // A triangle alone has the masses of its own corners only and swings faster than any mesh of them.
-            EXPECT_GE(tightness.least, kind == ElementKind::triangle ? 0.6 : 0.7) << name_of(kind) << ", " << name_of(geometry);
+            // A triangle alone has the masses of its own corners only and swings faster than any mesh of
+            // them.
+            EXPECT_GE(tightness.least, kind == ElementKind::triangle ? 0.6 : 0.7)
+                << name_of(kind) << ", " << name_of(geometry);
             EXPECT_LE(tightness.most, 1 + tolerance);
         }
     }
@@ -113,7 +116,8 @@ TEST(CriticalStep, EstimateOfOneElementIsNearlyItsHighestFrequency) {
             }
             RecordProperty(name_of(kind) + " " + name_of(geometry), tightness.text());
             EXPECT_LE(tightness.most, 1 + tolerance) << name_of(kind) << ", " << name_of(geometry);
-            // The row norm of A^4 is up to sqrt(6) times its radius, so omega^2 up to sqrt(6)^(1/4), the step sqrt(6)^(1/8) = 1.12.
+            // The row norm of A^4 is up to sqrt(6) times its radius, so omega^2 up to sqrt(6)^(1/4), the step
+            // sqrt(6)^(1/8) = 1.12.
             EXPECT_GE(tightness.least, 0.89) << name_of(kind) << ", " << name_of(geometry);
         }
     }

@@ -1,15 +1,17 @@
 #pragma once
 
-#include <Eigen/Dense>
 #include <random>
 #include <string>
 #include <vector>
+
+#include <Eigen/Dense>
 
 #include "elements/kernels.hpp"
 
 namespace percuss::testing {
 
-/// A mesh of one body with its batch of elements, driven by hand: positions and velocities are set, kernels are called.
+/// A mesh of one body with its batch of elements, driven by hand: positions and velocities are set, kernels
+/// are called.
 struct ElementMesh {
     Scene scene;
     Mesh mesh;
@@ -143,7 +145,8 @@ struct ElementMesh {
 
     [[nodiscard]] double energy() const {
         double sum = 0;
-        for (std::int32_t element = 0; element < batch.count; ++element) sum += stored_energy(batch, nodes.data(), element);
+        for (std::int32_t element = 0; element < batch.count; ++element)
+            sum += stored_energy(batch, nodes.data(), element);
         return sum;
     }
 
@@ -158,8 +161,8 @@ struct ElementMesh {
         return 2 / std::sqrt(batch.kernel.frequency(batch, nodes.data(), 0, batch.blocks()));
     }
 
-    /// Stiffness about the undeformed state, column by column, by central differences of the kernel's forces: relative error
-    /// (strain)^2 = 1e-12 of the law, 1e-16 / strain = 1e-10 of rounding.
+    /// Stiffness about the undeformed state, column by column, by central differences of the kernel's forces:
+    /// relative error (strain)^2 = 1e-12 of the law, 1e-16 / strain = 1e-10 of rounding.
     [[nodiscard]] Eigen::MatrixXd stiffness() {
         Eigen::MatrixXd k(dofs(), dofs());
         double size = 0;
@@ -189,14 +192,17 @@ struct ElementMesh {
     [[nodiscard]] double true_critical_step() {
         const auto free = free_dofs();
         Eigen::VectorXd root(dofs());
-        for (Eigen::Index j = 0; j < dofs(); ++j) root[j] = 1 / std::sqrt(mass[static_cast<std::size_t>(j / 2)]);
+        for (Eigen::Index j = 0; j < dofs(); ++j)
+            root[j] = 1 / std::sqrt(mass[static_cast<std::size_t>(j / 2)]);
         const Eigen::MatrixXd k = stiffness();
         const Eigen::MatrixXd scaled = root.asDiagonal() * (0.5 * (k + k.transpose())) * root.asDiagonal();
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled(free, free), Eigen::EigenvaluesOnly);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled(free, free),
+                                                                    Eigen::EigenvaluesOnly);
         return 2 / std::sqrt(solver.eigenvalues().maxCoeff());
     }
 
-    /// Leapfrog from the present state. @returns kinetic energy at the end; infinity once a speed exceeds `limit`.
+    /// Leapfrog from the present state. @returns kinetic energy at the end; infinity once a speed exceeds
+    /// `limit`.
     double leapfrog(double dt, int steps, double limit) {
         for (int step = 0; step < steps; ++step) {
             const Eigen::VectorXd f = internal_force();
@@ -222,8 +228,8 @@ struct ElementMesh {
     }
 };
 
-inline constexpr std::array<ElementKind, 3> all_kinds{ElementKind::quad_one_point, ElementKind::quad_mean_dilatation,
-                                                      ElementKind::triangle};
+inline constexpr std::array<ElementKind, 3> all_kinds{
+    ElementKind::quad_one_point, ElementKind::quad_mean_dilatation, ElementKind::triangle};
 inline constexpr std::array<Geometry, 3> all_geometries{Geometry::axisymmetric, Geometry::plane_strain,
                                                         Geometry::plane_stress};
 

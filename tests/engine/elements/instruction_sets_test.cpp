@@ -1,7 +1,7 @@
 // The vector kernels against the scalar reference, bit by bit.
-#include <gtest/gtest.h>
-
 #include <cstring>
+
+#include <gtest/gtest.h>
 
 #include "engine/elements/element_mesh.hpp"
 
@@ -16,7 +16,8 @@ bool same_bits(const AlignedVector<T>& a, const AlignedVector<T>& b) {
 /// Shakes the mesh with `set`'s kernels; the motion hangs on their forces, so a difference of one bit grows.
 ElementMesh shaken(const ElementMesh::Options& options, InstructionSet set, int steps, double& highest) {
     ElementMesh m(options);
-    m.batch.kernel = find_kernel({options.kind, options.geometry, options.hourglass > 0, options.viscosity.has_value()}, set);
+    m.batch.kernel = find_kernel(
+        {options.kind, options.geometry, options.hourglass > 0, options.viscosity.has_value()}, set);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> noise(-0.05, 0.05);  // 1 % of the wave speed
     for (std::size_t n = 0; n < m.nodes.size(); ++n)
@@ -31,7 +32,8 @@ void compare(const ElementMesh::Options& options, int steps) {
     const ElementMesh scalar = shaken(options, InstructionSet::baseline, steps, scalar_bound);
     for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
         if (set > best_instruction_set()) continue;
-        SCOPED_TRACE(std::string(percuss::name_of(set)) + ", " + name_of(options.kind) + ", " + name_of(options.geometry));
+        SCOPED_TRACE(std::string(percuss::name_of(set)) + ", " + name_of(options.kind) + ", " +
+                     name_of(options.geometry));
         const ElementMesh vector = shaken(options, set, steps, vector_bound);
         EXPECT_TRUE(same_bits(scalar.batch.force, vector.batch.force));
         EXPECT_TRUE(same_bits(scalar.batch.state, vector.batch.state));

@@ -5,16 +5,15 @@
 namespace percuss::testing {
 namespace {
 
-/// Volume of a polygon per radian or unit thickness by Green's theorem: the closed boundary integral of r^2/2 dz or x dy,
-/// exact for straight sides, and independent of shape functions.
+/// Volume of a polygon per radian or unit thickness by Green's theorem: the closed boundary integral of r^2/2
+/// dz or x dy, exact for straight sides, and independent of shape functions.
 double polygon_volume(const std::vector<Vec2>& x, Geometry geometry) {
     double sum = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const Vec2 &a = x[i], &b = x[(i + 1) % x.size()];
         const double dy = b.y() - a.y();
-        sum += geometry == Geometry::axisymmetric
-                   ? dy * (a.x() * a.x() + a.x() * b.x() + b.x() * b.x()) / 6
-                   : dy * (a.x() + b.x()) / 2;
+        sum += geometry == Geometry::axisymmetric ? dy * (a.x() * a.x() + a.x() * b.x() + b.x() * b.x()) / 6
+                                                  : dy * (a.x() + b.x()) / 2;
     }
     return sum;
 }
@@ -34,7 +33,8 @@ TEST(LumpedMass, OfDistortedMeshesIsTheExactMass) {
             for (const Cell& cell : m.mesh.cells) {
                 std::vector<Vec2> corners;
                 for (int i = 0; i < corner_count(cell); ++i)
-                    corners.push_back(m.mesh.nodes[static_cast<std::size_t>(cell[static_cast<std::size_t>(i)])]);
+                    corners.push_back(
+                        m.mesh.nodes[static_cast<std::size_t>(cell[static_cast<std::size_t>(i)])]);
                 exact += o.density * polygon_volume(corners, geometry);
             }
             EXPECT_NEAR(mass, exact, 1e-14 * exact) << name_of(kind) << ", " << name_of(geometry);

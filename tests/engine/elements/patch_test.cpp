@@ -11,14 +11,16 @@ constexpr double small = 1e-6;
 constexpr double tolerance = 10 * small;
 
 /// Linear elasticity, written apart from the engine: (11, 22, 33, 12).
-std::array<double, 4> hooke(Geometry geometry, double e, double nu, double e11, double e22, double e33, double shear) {
+std::array<double, 4> hooke(Geometry geometry, double e, double nu, double e11, double e22, double e33,
+                            double shear) {
     const double mu = e / (2 * (1 + nu));
     if (geometry == Geometry::plane_stress) {
         const double c = e / (1 - nu * nu);
         return {c * (e11 + nu * e22), c * (e22 + nu * e11), 0, mu * shear};
     }
     const double lambda = e * nu / ((1 + nu) * (1 - 2 * nu)), trace = e11 + e22 + e33;
-    return {lambda * trace + 2 * mu * e11, lambda * trace + 2 * mu * e22, lambda * trace + 2 * mu * e33, mu * shear};
+    return {lambda * trace + 2 * mu * e11, lambda * trace + 2 * mu * e22, lambda * trace + 2 * mu * e33,
+            mu * shear};
 }
 
 struct Case {
@@ -66,16 +68,21 @@ TEST_P(Patch, LinearDisplacementGivesTheExactUniformStress) {
     const auto exact = exact_stress();
     for (std::int32_t element = 0; element < m.batch.count; ++element)
         for (std::size_t c = 0; c < 4; ++c)
-            EXPECT_NEAR(m.stress(element)[c], exact[c], tolerance * 200 * small) << "element " << element << " component " << c;
+            EXPECT_NEAR(m.stress(element)[c], exact[c], tolerance * 200 * small)
+                << "element " << element << " component " << c;
 }
 
 TEST_P(Patch, UniformStressLeavesInnerNodesInEquilibrium) {
     ElementMesh m = mesh();
-    const auto equilibrated = [](const Vec2& x) {  // no shear: a uniform shear r-z is no equilibrium in a ring
-        return GetParam().geometry == Geometry::axisymmetric ? Vec2(small * Vec2(0.7 * x.x(), -1.1 * x.y())) : field(x);
-    };
+    const auto equilibrated =
+        [](const Vec2& x) {  // no shear: a uniform shear r-z is no equilibrium in a ring
+            return GetParam().geometry == Geometry::axisymmetric
+                       ? Vec2(small * Vec2(0.7 * x.x(), -1.1 * x.y()))
+                       : field(x);
+        };
     const Eigen::VectorXd f = m.move(m.displacement(equilibrated));
-    // Forces of a node's elements cancel: rounding of their size, and the 1e-6 by which hoop and radial stress differ.
+    // Forces of a node's elements cancel: rounding of their size, and the 1e-6 by which hoop and radial
+    // stress differ.
     const double size = f.cwiseAbs().maxCoeff();
     for (const int node : {5, 6, 9, 10})
         for (int d = 0; d < 2; ++d) EXPECT_LT(std::abs(f[2 * node + d]), tolerance * size) << "node " << node;
@@ -118,11 +125,13 @@ TEST_P(Patch, ForcesAreTheDerivativeOfTheStoredEnergy) {
                 hourglass[side] = m.hourglass_work();
             }
             const double derivative = (energy[1] - energy[0] + hourglass[1] - hourglass[0]) / (2 * step);
-            // Differences of energies: rounding 1e-16 V E strain^2 / step, far below. Exact for one point an element; four points
-            // share one volume ratio, so each one's part of the energy is off by the strain's variation within the element.
+            // Differences of energies: rounding 1e-16 V E strain^2 / step, far below. Exact for one point an
+            // element; four points share one volume ratio, so each one's part of the energy is off by the
+            // strain's variation within the element.
             const double allowed = GetParam().kind == ElementKind::quad_mean_dilatation ? 3 * strain : 1e-6;
             const double size = f.norm() * direction.norm();
-            EXPECT_NEAR(derivative, f.dot(direction), allowed * size) << "strain " << strain << ", trial " << trial;
+            EXPECT_NEAR(derivative, f.dot(direction), allowed * size)
+                << "strain " << strain << ", trial " << trial;
             EXPECT_GT(size, 0);
         }
         m = stressed;
@@ -138,7 +147,8 @@ TEST_P(Patch, StiffnessIsSymmetricAndHasRigidMotionsOnlyInItsKernel) {
                                                                 Eigen::EigenvaluesOnly);
     const double largest = solver.eigenvalues().maxCoeff();
     const auto zero = (solver.eigenvalues().array() < 1e-6 * largest).count();
-    EXPECT_EQ(zero, GetParam().geometry == Geometry::axisymmetric ? 1 : 3) << solver.eigenvalues().transpose();
+    EXPECT_EQ(zero, GetParam().geometry == Geometry::axisymmetric ? 1 : 3)
+        << solver.eigenvalues().transpose();
     EXPECT_GT(solver.eigenvalues().minCoeff(), -1e-7 * largest);
 }
 
@@ -148,20 +158,24 @@ TEST(Hourglass, StiffnessDoesNotFeelLinearFields) {
         o.geometry = geometry;
         o.distortion = 0.25;
         ElementMesh m(o);
-        m.move(m.displacement([](const Vec2& x) { return Vec2(0.1 * x.x() + 0.2 * x.y(), 0.15 * x.x() - 0.1 * x.y() + 3); }));
+        m.move(m.displacement(
+            [](const Vec2& x) { return Vec2(0.1 * x.x() + 0.2 * x.y(), 0.15 * x.x() - 0.1 * x.y() + 3); }));
         EXPECT_GT(std::abs(m.stress(0)[1]), 1);
         for (std::int32_t element = 0; element < m.batch.count; ++element)
             for (int component = 3; component < 5; ++component)
-                EXPECT_NEAR(m.batch.state[static_cast<std::size_t>(((element / block_lanes) * 5 + component) * block_lanes +
-                                                                   element % block_lanes)],
-                            0, 200 * 1e-14)
+                EXPECT_NEAR(
+                    m.batch.state[static_cast<std::size_t>(
+                        ((element / block_lanes) * 5 + component) * block_lanes + element % block_lanes)],
+                    0, 200 * 1e-14)
                     << name_of(geometry) << " element " << element;
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, Patch, ::testing::ValuesIn(all_cases()), [](const auto& case_) {
-    std::string name = name_of(case_.param.kind) + "_" + name_of(case_.param.geometry) + (case_.param.axis ? "_axis" : "");
-    std::replace_if(name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+    std::string name =
+        name_of(case_.param.kind) + "_" + name_of(case_.param.geometry) + (case_.param.axis ? "_axis" : "");
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
     return name;
 });
 

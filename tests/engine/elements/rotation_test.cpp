@@ -1,7 +1,7 @@
 // Objectivity: a rigid turn makes no stress and turns the stress that is there.
-#include <gtest/gtest.h>
-
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "engine/elements/element_mesh.hpp"
 
@@ -47,14 +47,17 @@ TEST(RigidRotation, TurnsAPrestressWithTheBody) {
         for (const Geometry geometry : {Geometry::plane_strain, Geometry::plane_stress}) {
             ElementMesh m = plane_mesh(kind, geometry);
             const Eigen::VectorXd before = m.move(m.displacement([](const Vec2& x) {
-                return Vec2(0.02 * x.x() + 0.03 * x.y() + 0.01 * x.x() * x.y(), -0.05 * x.y() + 0.02 * x.x() * x.x());
+                return Vec2(0.02 * x.x() + 0.03 * x.y() + 0.01 * x.x() * x.y(),
+                            -0.05 * x.y() + 0.02 * x.x() * x.x());
             }));
             std::vector<std::array<double, 4>> first;
-            for (std::int32_t element = 0; element < m.batch.count; ++element) first.push_back(m.stress(element));
+            for (std::int32_t element = 0; element < m.batch.count; ++element)
+                first.push_back(m.stress(element));
             const double size = before.cwiseAbs().maxCoeff();
             for (int step = 1; step <= turn; ++step) {
                 rotate_once(m, 2 * std::numbers::pi / turn);
-                const Eigen::Matrix2d r = Eigen::Rotation2Dd(2 * std::numbers::pi * step / turn).toRotationMatrix();
+                const Eigen::Matrix2d r =
+                    Eigen::Rotation2Dd(2 * std::numbers::pi * step / turn).toRotationMatrix();
                 const Eigen::VectorXd force = m.internal_force();
                 for (Eigen::Index n = 0; n < m.mesh.node_count(); ++n)
                     ASSERT_LT((force.segment<2>(2 * n) - r * before.segment<2>(2 * n)).norm(), 1e-11 * size)

@@ -24,9 +24,10 @@ Scene small(const std::vector<std::string>& overrides = {}, const std::string& t
 }
 
 /// A rod squeezed between its held top and a bottom driven into it.
-Scene squeezed(const std::vector<std::string>& overrides = {}) {
+Scene squeezed(double velocity, const std::vector<std::string>& overrides = {}) {
     std::string text = small_scene.substr(0, small_scene.find("[[contact]]"));
-    text += "[[body.prescribed]]\nedge = \"face\"\ndirection = \"axial\"\nvelocity = 500\n";
+    text += "[[body.prescribed]]\nedge = \"face\"\ndirection = \"axial\"\nvelocity = " +
+            std::to_string(velocity) + "\n";
     return parse_scene(text, "squeezed.toml", overrides);
 }
 
@@ -34,7 +35,8 @@ Scene squeezed(const std::vector<std::string>& overrides = {}) {
 ::testing::AssertionResult has_run(Engine& engine, std::size_t steps) {
     const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     while (engine.history()->rows() < steps) {
-        if (std::chrono::steady_clock::now() > latest) return ::testing::AssertionFailure() << engine.snapshot()->message;
+        if (std::chrono::steady_clock::now() > latest)
+            return ::testing::AssertionFailure() << engine.snapshot()->message;
         std::this_thread::yield();
     }
     return ::testing::AssertionSuccess();
@@ -197,6 +199,34 @@ TEST(Engine, AnIntervalSmallerThanAStepGivesEveryStepOnce) {
     for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_EQ(steps[k], static_cast<std::int64_t>(k));
 }
 
+TEST(Engine, FramesFallOnStepsThatReachTheirTimeUpToRounding) {
+    std::vector<std::int64_t> steps;
+    EngineOptions options;
+    options.frame_interval = 1e-3;
+    options.on_frame = [&](const auto& frame) { steps.push_back(frame->step); };
+    Engine engine(small({"model.step={ fixed = 1e-4 }", "model.duration=0.05"}), options);
+    engine.post(command::Run{});
+    engine.wait();
+    ASSERT_EQ(steps.size(), 51U);
+    for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_EQ(steps[k], static_cast<std::int64_t>(10 * k));
+}
+
+// Steps that jumped over frame times must not be made up for by a burst of frames when they become smaller.
+TEST(Engine, JumpedFramesAreNotMadeUpFor) {
+    int frames = 0;
+    EngineOptions options;
+    options.frame_interval = 1e-5;
+    options.on_frame = [&](const auto&) { ++frames; };
+    Engine engine(small({"model.step={ fixed = 1e-4 }"}), options);
+    engine.post(command::Steps{20});
+    engine.wait();
+    EXPECT_EQ(frames, 20);
+    engine.post(command::Set{"model.step.fixed", "1e-6"});
+    engine.post(command::Steps{101});
+    engine.wait();
+    EXPECT_EQ(frames, 20 + 11);
+}
+
 TEST(Engine, ASlowReceiverOfFramesSlowsTheRunAndLosesNone) {
     int frames = 0;
     EngineOptions options;
@@ -285,7 +315,7 @@ TEST(Engine, AnInvertedElementEndsTheRunAtItsLastGoodStep) {
     std::vector<RunStatus> frames;
     EngineOptions options;
     options.on_frame = [&](const auto& frame) { frames.push_back(frame->status); };
-    Engine engine(squeezed({"model.energy_growth_limit=1e9"}), options);
+    Engine engine(squeezed(500, {"model.energy_growth_limit=1e9"}), options);
     engine.post(command::Run{});
     engine.wait();
     const auto last = engine.snapshot();
@@ -322,7 +352,7 @@ TEST(Engine, EnergyGrowthEndsTheRun) {
 
 // A fixed step that the deforming mesh overtakes: found before the step is made.
 TEST(Engine, AStepAboveTheCriticalOneEndsTheRun) {
-    Engine engine(squeezed({"model.energy_growth_limit=1e9"}));
+    Engine engine(squeezed(500, {"model.energy_growth_limit=1e9"}));
     engine.post(command::Steps{1});
     engine.wait();
     engine.post(command::Set{"model.step",
@@ -334,6 +364,45 @@ TEST(Engine, AStepAboveTheCriticalOneEndsTheRun) {
     const auto times = engine.history()->values("time");
     EXPECT_TRUE(std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end())
         << "no row twice";
+}
+
+// Going back repeats the steps since the last copy of the state: the step size must be the same.
+TEST(Engine, TheLastGoodStepIsTheOneThatWasMade) {
+    const Scene scene = squeezed(5000, {"model.energy_growth_limit=1e9"});
+    Engine engine(scene);
+    engine.post(command::Steps{5});
+    engine.wait();
+    engine.post(command::Set{"model.step.courant", "0.3"});
+    engine.post(command::Run{});
+    engine.wait();
+    ASSERT_EQ(engine.status(), RunStatus::diverged);
+
+    Solver alone(scene);
+    const std::int64_t last = engine.snapshot()->step;
+    ASSERT_GT(last, 5);
+    ASSERT_LT(last, 250) << "before the second copy";
+    while (alone.steps() < last) {
+        if (alone.steps() == 5) {
+            StepSize smaller;
+            smaller.courant = 0.3;
+            alone.set_step(smaller);
+        }
+        ASSERT_FALSE(alone.step());
+    }
+    EXPECT_EQ(engine.statistics().state_hash, alone.statistics().state_hash);
+}
+
+TEST(Engine, NumbersBeyondAllMeasureEndTheRunAndStayOutOfTheHistory) {
+    const std::string text =
+        percuss::testing::changed(small_scene, "velocity = [0, 10]", "velocity = [0, 1e160]");
+    Engine engine(small({}, text));
+    engine.post(command::Run{});
+    engine.wait();
+    EXPECT_EQ(engine.status(), RunStatus::diverged);
+    EXPECT_THAT(engine.snapshot()->message, HasSubstr("no longer finite at "));
+    EXPECT_TRUE(finite(*engine.snapshot()));
+    for (const double number : engine.history()->table(0, engine.history()->rows()))
+        ASSERT_TRUE(std::isfinite(number));
 }
 
 TEST(Engine, EndsWhileRunning) {
