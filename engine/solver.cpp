@@ -73,15 +73,19 @@ Solver::Solver(Scene scene, int threads)
     evaluate_critical_step();
     statistics_.critical_step_initial = statistics_.critical_step_min = state_.critical_step;
     check_fixed_step(step_size_);
+    for (std::size_t n = 0; n < mass_.size();
+         ++n) {  // node by node: held and driven nodes do not have their body's velocity
+        const auto body = static_cast<std::size_t>(body_of_node_[n]);
+        const double* v = state_.nodes[n].v;
+        for (std::size_t d = 0; d < 2; ++d) ledger.body_momentum[body][d] += mass_[n] * v[d];
+        statistics_.momentum_scale += scale_ * mass_[n] * std::hypot(v[0], v[1]);
+        ledger.initial_kinetic += 0.5 * mass_[n] * (v[0] * v[0] + v[1] * v[1]);
+    }
     for (std::size_t body = 0; body < s.bodies.size(); ++body) {
         for (std::size_t d = 0; d < 2; ++d) {
-            ledger.body_velocity[body][d] = s.bodies[body].velocity[d];
-            ledger.body_momentum[body][d] = body_mass_[body] * s.bodies[body].velocity[d];
+            ledger.body_velocity[body][d] = ledger.body_momentum[body][d] / body_mass_[body];
             statistics_.momentum_initial[d] += scale_ * ledger.body_momentum[body][d];
         }
-        const double speed = std::hypot(s.bodies[body].velocity[0], s.bodies[body].velocity[1]);
-        statistics_.momentum_scale += scale_ * body_mass_[body] * speed;
-        ledger.initial_kinetic += 0.5 * body_mass_[body] * speed * speed;
     }
     ledger.lowest = ledger.largest_kinetic = ledger.initial_kinetic;
     ledger.present.kinetic = ledger.present.external = scale_ * ledger.initial_kinetic;
@@ -99,17 +103,20 @@ void Solver::build_nodes() {
     for (std::size_t body = 0; body < mesh.bodies.size(); ++body) {
         const MeshBody& part = mesh.bodies[body];
         const auto& velocity = scene.bodies[body].velocity;
-        for (auto node = static_cast<std::size_t>(part.node_begin); node < static_cast<std::size_t>(part.node_end); ++node)
+        for (auto node = static_cast<std::size_t>(part.node_begin);
+             node < static_cast<std::size_t>(part.node_end); ++node)
             state_.nodes[node] = {{mesh.nodes[node].x(), mesh.nodes[node].y()}, {velocity[0], velocity[1]}};
         for (std::int32_t cell = part.cell_begin; cell < part.cell_end; ++cell) {
             const Cell& corners = mesh.cells[static_cast<std::size_t>(cell)];
-            const auto share = corner_masses(corners, mesh.nodes, batches_[body].material.density, scene.geometry);
+            const auto share =
+                corner_masses(corners, mesh.nodes, batches_[body].material.density, scene.geometry);
             for (std::size_t i = 0; i < static_cast<std::size_t>(corner_count(corners)); ++i)
                 mass_[static_cast<std::size_t>(corners[i])] += share[i];
         }
         body_of_node_.insert(body_of_node_.end(), static_cast<std::size_t>(part.node_end - part.node_begin),
                              static_cast<std::int32_t>(body));
-        body_mass_.push_back(std::accumulate(mass_.begin() + part.node_begin, mass_.begin() + part.node_end, 0.0));
+        body_mass_.push_back(
+            std::accumulate(mass_.begin() + part.node_begin, mass_.begin() + part.node_end, 0.0));
     }
     inverse_mass_.resize(2 * count);
     for (const Edge& wall : mesh.walls)
@@ -163,10 +170,10 @@ void Solver::check_fixed_step(const StepSize& step) const {
     if (!step.fixed || *step.fixed <= state_.critical_step) return;
     const Scene& scene = setup_->scene;
     const auto unit = scene.units.display(Quantity::time, *step.fixed);
-    const std::string place =
-        step.place.line > 0 ? fmt::format("{}:{}:{}: ", scene.file, step.place.line, step.place.column) : "";
-    throw SceneError({fmt::format("{}time step {:.6g} {} is above the critical step; at most {:.6g} {} is stable", place,
-                                  *step.fixed * unit.scale, unit.label, state_.critical_step * unit.scale, unit.label)});
+    throw SceneError(
+        {fmt::format("{}: time step {:.6g} {} is above the critical step; at most {:.6g} {} is stable",
+                     describe_place(scene, step.place), *step.fixed * unit.scale, unit.label,
+                     state_.critical_step * unit.scale, unit.label)});
 }
 
 void Solver::set_step(const StepSize& step) {
@@ -208,8 +215,11 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
             if (row.force == 0) continue;
             for (std::size_t k = 0; k < 3; ++k) {
                 const double force = scale_ * row.force * row.share[k];
-                if (force == 0 || row.node[k] >= static_cast<std::int32_t>(body_of_node_.size())) continue;  // a wall's end
-                const ContactForce one{row.node[k], static_cast<std::int32_t>(p), k == 0,
+                if (force == 0 || row.node[k] >= static_cast<std::int32_t>(body_of_node_.size()))
+                    continue;  // a wall's end
+                const ContactForce one{row.node[k],
+                                       static_cast<std::int32_t>(p),
+                                       k == 0,
                                        {force * row.normal[0], force * row.normal[1]}};
                 const auto same = std::find_if(slaves.begin(), slaves.end(),
                                                [&](const ContactForce& f) { return f.node == one.node; });
@@ -259,7 +269,8 @@ std::vector<BodyEnergies> Solver::body_energies() const {
         for (std::int32_t element = 0; element < batches_[b].count; ++element)
             energy.elastic += scale_ * stored_energy(batches_[b], state_.nodes.data(), element);
         const MeshBody& part = setup_->mesh.bodies[b];
-        for (auto n = static_cast<std::size_t>(part.node_begin); n < static_cast<std::size_t>(part.node_end); ++n) {
+        for (auto n = static_cast<std::size_t>(part.node_begin); n < static_cast<std::size_t>(part.node_end);
+             ++n) {
             const auto& v = state_.nodes[n].v;
             energy.kinetic += 0.5 * scale_ * mass_[n] * (v[0] * v[0] + v[1] * v[1]);
         }
@@ -270,10 +281,11 @@ std::vector<BodyEnergies> Solver::body_energies() const {
 RunStatistics Solver::statistics(bool complete) const {
     RunStatistics statistics = statistics_;
     const Ledger& ledger = state_.ledger;
-    const double reference = ledger.initial_kinetic > 0 ? ledger.initial_kinetic : ledger.largest_kinetic;
+    const double reference = std::max(ledger.initial_kinetic, ledger.largest_load);  // what was put in
     statistics.steps = state_.step;
     const PhaseSeconds& seconds = statistics.seconds;
-    statistics.step_seconds = seconds.elements + seconds.contact_search + seconds.contact_solve + seconds.integrate;
+    statistics.step_seconds =
+        seconds.elements + seconds.contact_search + seconds.contact_solve + seconds.integrate;
     statistics.initial_energy = scale_ * ledger.initial_kinetic;
     if (reference > 0) {
         statistics.maximum_growth = ledger.growth / reference;
@@ -308,11 +320,14 @@ double Solver::strain_energy_error() const {
         }
     }
     const Ledger& ledger = state_.ledger;
-    return std::abs(ledger.internal + 0.5 * state_.dt * work - ledger.hourglass - ledger.viscous - ledger.plastic - stored);
+    return std::abs(ledger.internal + 0.5 * state_.dt * work - ledger.hourglass - ledger.viscous -
+                    ledger.plastic - stored);
 }
 
 SolverState Solver::save() const {
     SolverState state = state_;
+    state.statistics = statistics_;
+    for (const Pair& pair : pairs_) state.active.push_back(pair.active);
     for (const Batch& batch : batches_) {
         state.element_state.push_back(batch.state);
         state.corner_force.push_back(batch.force);
@@ -326,14 +341,20 @@ void Solver::restore(const SolverState& state) {
         std::copy(state.element_state[b].begin(), state.element_state[b].end(), batches_[b].state.begin());
         std::copy(state.corner_force[b].begin(), state.corner_force[b].end(), batches_[b].force.begin());
     }
+    const PhaseSeconds spent = statistics_.seconds;  // wall time does not go back
+    statistics_ = state.statistics;
+    statistics_.seconds = spent;
     state_ = state;
     state_.element_state.clear();
     state_.corner_force.clear();
-    for (Pair& pair : pairs_) {
+    state_.active.clear();
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        Pair& pair = pairs_[p];
         pair.scheme->forget();
         pair.state = {};
-        pair.active.clear();
+        pair.active = state.active[p];
         std::fill(pair.flags.begin(), pair.flags.end(), char{0});
+        for (const std::int32_t master : pair.active) pair.flags[static_cast<std::size_t>(master)] = 1;
     }
 }
 

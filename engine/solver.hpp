@@ -25,6 +25,8 @@ struct SolverState {
     std::vector<AlignedVector<double>> element_state, corner_force;  ///< per batch
     AlignedVector<Node> lagged_nodes;  ///< lagged mode: where stresses were last evaluated, and the motion that led there
     Ledger ledger;
+    RunStatistics statistics;                       ///< filled by save()
+    std::vector<std::vector<std::int32_t>> active;  ///< per pair: master nodes in contact; filled by save()
     double time = 0, dt = 0, critical_step = 0;
     std::int64_t step = 0, next_critical_step = 0;
 };

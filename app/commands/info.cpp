@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
 #include "effects.hpp"
-#include "mesh/body_volume.hpp"
 #include "options.hpp"
 #include "report.hpp"
-#include "run/engine.hpp"
+#include "solver.hpp"
 
 namespace percuss::app {
 namespace {
@@ -39,22 +39,18 @@ std::string_view kind_name(ElementKind kind) {
     return "";
 }
 
-double density_of(const Scene& scene, const std::string& material) {
-    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
-                                    [&](const Material& candidate) { return candidate.name == material; });
-    return found == scene.materials.end() ? 0 : found->density;
-}
-
-void print_bodies(const RunSetup& setup) {
+void print_bodies(const Solver& solver) {
+    const RunSetup& setup = *solver.setup();
     const Scene& scene = setup.scene;
+    const std::vector<double>& lumped = solver.lumped_mass();
     fmt::print("\n{:<16} {:>9} {:>9}  {:<22} {:<12} {:>12}  {}\n", "body", "elements", "nodes", "kind",
                "material", "mass", "initial velocity");
     double total = 0;
     for (std::size_t b = 0; b < setup.mesh.bodies.size(); ++b) {
         const MeshBody& meshed = setup.mesh.bodies[b];
         const Body& body = scene.bodies[b];
-        const double mass = density_of(scene, body.material) *
-                            body_volume(setup.mesh, meshed, scene.geometry, scene.thickness);
+        const double mass = solver.scale() * std::accumulate(lumped.begin() + meshed.node_begin,
+                                                             lumped.begin() + meshed.node_end, 0.0);
         total += mass;
         const std::string unit = scene.units.label(Quantity::velocity);
         fmt::print("{:<16} {:>9} {:>9}  {:<22} {:<12} {:>12}  ({:.4g}, {:.4g}) {}\n", body.name,
@@ -66,10 +62,12 @@ void print_bodies(const RunSetup& setup) {
                setup.mesh.node_count(), "", "", with_unit(scene.units, Quantity::mass, total));
 }
 
-void print_step(const Scene& scene, double critical_step) {
+void print_step(const Scene& scene, double critical_step, double by_power_iteration) {
     const double dt = scene.step.fixed.value_or(scene.step.courant * critical_step);
     fmt::print("\nduration       {}\n", with_unit(scene.units, Quantity::time, scene.duration));
-    fmt::print("critical step  {} (at the start)\n", with_unit(scene.units, Quantity::time, critical_step));
+    fmt::print("critical step  {} at the start, from the elements; {} by power iteration\n",
+               with_unit(scene.units, Quantity::time, critical_step),
+               with_unit(scene.units, Quantity::time, by_power_iteration));
     fmt::print("step           {}, {:.3g} of critical{}\n", with_unit(scene.units, Quantity::time, dt),
                dt / critical_step, scene.step.fixed ? ", fixed" : "");
     fmt::print("steps to come  {}{:.0f}\n", scene.step.fixed ? "" : "about ",
@@ -77,13 +75,11 @@ void print_step(const Scene& scene, double critical_step) {
 }
 
 int info(const SceneOptions& options) {
-    Engine engine(load(options));
-    const auto snapshot = engine.snapshot();
-    const RunSetup& setup = *snapshot->setup;
-    const Scene& scene = setup.scene;
+    const Solver solver(load(options));
+    const Scene& scene = solver.setup()->scene;
     fmt::print("{}: {}\n{}, units {}, {}, {}\n", options.file, scene.title, geometry_name(scene.geometry),
                scene.units.length_name(), scene.units.time_name(), scene.units.mass_name());
-    print_bodies(setup);
+    print_bodies(solver);
     for (const ContactPair& pair : scene.contacts) {
         const auto surface = [](const SurfaceName& name) {
             return name.edge.empty() ? name.body : name.body + "." + name.edge;
@@ -91,7 +87,7 @@ int info(const SceneOptions& options) {
         fmt::print("contact {}: master nodes of {} on slave sides of {}\n", pair.name, surface(pair.master),
                    surface(pair.slave));
     }
-    print_step(scene, snapshot->critical_step);
+    print_step(scene, solver.critical_step(), solver.critical_step_by_power_iteration());
     fmt::print("\n{:<34} {:<4} {}\n", "effect", "", "cost");
     for (const EffectInfo& effect : effects_of(scene)) {
         fmt::print("{:<34} {:<4} {}\n", effect.name, effect.on ? "on" : "off", effect.cost);

@@ -8,8 +8,9 @@ namespace percuss {
 /// One non-penetration condition: master node k in the slave side i-j (paper, Figures 1 and 2).
 struct ContactRow {
     std::array<std::int32_t, 3> node{};  ///< master k, slave i, slave j
-    /// Share of the contact force that each node takes along the normal: 1, -(1 - a), -a with the length factor a. The
-    /// last two are the column of the paper's equilibrium matrix E, the normal stands for its angle phi.
+    /// Share of the contact force that each node takes along the normal: 1, -(1 - a), -a with the length
+    /// factor a. The last two are the column of the paper's equilibrium matrix E, the normal stands for its
+    /// angle phi.
     std::array<double, 3> share{};
     std::array<double, 2> normal{};  ///< unit, out of the slave body
     double penetration = 0;          ///< P of the predicted positions [length]

@@ -12,8 +12,8 @@ namespace percuss {
 
 /// The predicted motion that a contact scheme corrects.
 struct PredictedMotion {
-    double dt = 0;        ///< of the step: positions change by dt * change of velocity [time]
-    double kick = 0;      ///< velocities change by kick * acceleration (mean of the last two steps) [time]
+    double dt = 0;          ///< of the step: positions change by dt * change of velocity [time]
+    double kick = 0;        ///< velocities change by kick * acceleration (mean of the last two steps) [time]
     Node* nodes = nullptr;  ///< predicted positions and velocities; corrected in place
     const double* inverse_mass = nullptr;  ///< 2 per node, 0 where held, per radian or unit thickness
     double* impulse = nullptr;             ///< 2 per node; a scheme adds the impulses it puts on nodes

@@ -10,10 +10,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A node beyond the end of a face by up to this part of a side still belongs to it: flush faces spread sideways.
+/// A node beyond the end of a face by up to this part of a side still belongs to it: flush faces spread
+/// sideways.
 constexpr double end_tolerance = 0.02;
-/// A node that appears inside, deeper than this part of the side and than it can have moved, did not come through the side:
-/// it lies beyond a thin body, or slid under an open end. To throw it out would make energy from nothing.
+/// A node that appears inside, deeper than this part of the side and than it can have moved, did not come
+/// through the side: it lies beyond a thin body, or slid under an open end. To throw it out would make energy
+/// from nothing.
 constexpr double entry_tolerance = 1e-3;
 /// A node in contact is let go when it is deeper than this part of the side: forces could not hold it.
 constexpr double depth_limit = 0.5;
@@ -23,7 +25,8 @@ struct Range {
 };
 
 /// Displacements of some nodes since they were at `last`, which moves along.
-Range displacements(const Node* nodes, const std::vector<std::int32_t>& of, std::vector<std::array<double, 2>>& last) {
+Range displacements(const Node* nodes, const std::vector<std::int32_t>& of,
+                    std::vector<std::array<double, 2>>& last) {
     Range range;
     for (std::size_t k = 0; k < of.size(); ++k) {
         const double* x = nodes[of[k]].x;
@@ -49,7 +52,10 @@ void positions_before(const Node* nodes, double dt, const std::vector<std::int32
 }  // namespace
 
 PenetrationSearch::PenetrationSearch(Surface master, Surface slave)
-    : master_(std::move(master)), slave_(std::move(slave)), tree_(slave_.sides.size()), memory_(master_.nodes.size()) {
+    : master_(std::move(master)),
+      slave_(std::move(slave)),
+      tree_(slave_.sides.size()),
+      memory_(master_.nodes.size()) {
     master_at_.reserve(master_.nodes.size());
     slave_at_.reserve(slave_.nodes.size());
 }
@@ -75,7 +81,8 @@ void PenetrationSearch::measure_motion(const Node* nodes, double dt) {
         positions_before(nodes, dt, master_.nodes, master_at_);
         positions_before(nodes, dt, slave_.nodes, slave_at_);
     }
-    const Range m = displacements(nodes, master_.nodes, master_at_), s = displacements(nodes, slave_.nodes, slave_at_);
+    const Range m = displacements(nodes, master_.nodes, master_at_),
+                s = displacements(nodes, slave_.nodes, slave_at_);
     const double x = std::max(m.max_x - s.min_x, s.max_x - m.min_x);
     const double y = std::max(m.max_y - s.min_y, s.max_y - m.min_y);
     step_motion_ = std::sqrt(x * x + y * y);
@@ -92,14 +99,14 @@ void PenetrationSearch::find(const Node* nodes, double dt, std::vector<ContactRo
         if (memory.free_until > travelled_) continue;
         const Closest closest = closest_side(nodes, nodes[master_.nodes[m]].x, memory);
         if (!std::isfinite(closest.distance)) continue;  // a diverged state has no closest side
-        ContactRow row;
+        ContactRow& row = rows.emplace_back();
         if (enter_row(nodes, dt, static_cast<std::int32_t>(m), closest, memory.held, row)) {
             memory.held = row.side;
             memory.free_until = travelled_;  // looked at in every step
-            rows.push_back(row);
         } else {
+            rows.pop_back();
             memory.held = -1;
-            memory.free_until = travelled_ + std::max(0.0, closest.distance - end_reach_);
+            memory.free_until = travelled_ + free_distance(nodes, nodes[master_.nodes[m]].x, closest, memory);
         }
     }
 }
@@ -110,14 +117,16 @@ PenetrationSearch::Closest PenetrationSearch::closest_of_neighbours(const Node* 
     Closest best{side, squared_distance(nodes, middle, x[0], x[1])};
     for (const std::int32_t neighbour : {middle.previous, middle.next}) {
         if (neighbour < 0) continue;
-        const double square = squared_distance(nodes, slave_.sides[static_cast<std::size_t>(neighbour)], x[0], x[1]);
+        const double square =
+            squared_distance(nodes, slave_.sides[static_cast<std::size_t>(neighbour)], x[0], x[1]);
         if (square < best.distance) best = {neighbour, square};
     }
     best.distance = std::sqrt(best.distance);
     return best;
 }
 
-PenetrationSearch::Closest PenetrationSearch::closest_side(const Node* nodes, const double* x, Memory& memory) {
+PenetrationSearch::Closest PenetrationSearch::closest_side(const Node* nodes, const double* x,
+                                                           Memory& memory) {
     if (memory.side >= 0) {
         const Closest local = closest_of_neighbours(nodes, x, memory.side);
         if (local.distance <= memory.others_from - travelled_) return local;
@@ -129,13 +138,35 @@ PenetrationSearch::Closest PenetrationSearch::closest_side(const Node* nodes, co
     memory.side = tree_.nearest(nodes, slave_.sides, x[0], x[1], slave_travelled_).side;
     if (memory.side < 0) return {-1, infinity};
     const Side& middle = slave_.sides[static_cast<std::size_t>(memory.side)];
-    const auto other =
-        tree_.nearest(nodes, slave_.sides, x[0], x[1], slave_travelled_, {middle.previous, memory.side, middle.next});
+    const auto other = tree_.nearest(nodes, slave_.sides, x[0], x[1], slave_travelled_,
+                                     {middle.previous, memory.side, middle.next});
     memory.others_from = travelled_ + other.distance;
     return closest_of_neighbours(nodes, x, memory.side);
 }
 
-double PenetrationSearch::gap_before(const Node* nodes, double dt, std::int32_t node, const Side& side) const {
+/// How far the surfaces may move before the node can touch: up to the closest side, or up to where a face
+/// reaches past its end (an open one or a sharp corner).
+double PenetrationSearch::free_distance(const Node* nodes, const double* x, const Closest& closest,
+                                        const Memory& memory) const {
+    const auto distance = [&](std::int32_t node) {
+        return std::hypot(nodes[node].x[0] - x[0], nodes[node].x[1] - x[1]);
+    };
+    const auto is_end = [&](std::int32_t first, std::int32_t second) {
+        return first < 0 || second < 0 || sharp_corner(nodes, first, second);
+    };
+    double nearest_end = memory.others_from - travelled_;
+    const Side& middle = slave_.sides[static_cast<std::size_t>(memory.side)];
+    for (const std::int32_t index : {middle.previous, memory.side, middle.next}) {
+        if (index < 0) continue;
+        const Side& side = slave_.sides[static_cast<std::size_t>(index)];
+        if (is_end(side.previous, index)) nearest_end = std::min(nearest_end, distance(side.i));
+        if (is_end(index, side.next)) nearest_end = std::min(nearest_end, distance(side.j));
+    }
+    return std::max(0.0, std::min(closest.distance, nearest_end - end_reach_));
+}
+
+double PenetrationSearch::gap_before(const Node* nodes, double dt, std::int32_t node,
+                                     const Side& side) const {
     Node pair[2];
     const std::int32_t ends[2] = {side.i, side.j};
     for (int k = 0; k < 2; ++k)
@@ -144,30 +175,34 @@ double PenetrationSearch::gap_before(const Node* nodes, double dt, std::int32_t 
     return view_from_side(pair, Side{0, 1, -1, -1}, n.x[0] - dt * n.v[0], n.x[1] - dt * n.v[1]).gap;
 }
 
-/// Whether the body's outline turns by more than 45 degrees, outwards, from one side to the next; flatter corners
-/// approximate a curve.
+/// Whether the body's outline turns by more than 45 degrees, outwards, from one side to the next; flatter
+/// corners approximate a curve.
 bool PenetrationSearch::sharp_corner(const Node* nodes, std::int32_t first, std::int32_t second) const {
-    const Side &from = slave_.sides[static_cast<std::size_t>(first)], &to = slave_.sides[static_cast<std::size_t>(second)];
+    const Side &from = slave_.sides[static_cast<std::size_t>(first)],
+               &to = slave_.sides[static_cast<std::size_t>(second)];
     const double *a = nodes[from.i].x, *b = nodes[from.j].x, *c = nodes[to.j].x;
     const double sx = b[0] - a[0], sy = b[1] - a[1], tx = c[0] - b[0], ty = c[1] - b[1];
     const double turn = sx * ty - sy * tx, along = sx * tx + sy * ty;
     return turn > 0 && turn > along;
 }
 
-/// Of two faces of a sharp corner, both reached by the node, whether it came through the neighbour of the closer one.
+/// Of two faces of a sharp corner, both reached by the node, whether it came through the neighbour of the
+/// closer one.
 bool PenetrationSearch::entered_neighbour(const Node* nodes, double dt, std::int32_t node, std::int32_t side,
-                                          const SideView& view, std::int32_t held, const SideView& neighbour) const {
+                                          const SideView& view, std::int32_t held,
+                                          const SideView& neighbour) const {
     const std::int32_t around = view.a < 0.5 ? slave_.sides[static_cast<std::size_t>(side)].previous
                                              : slave_.sides[static_cast<std::size_t>(side)].next;
     if (held == around) return true;
-    const double before_neighbour = gap_before(nodes, dt, node, slave_.sides[static_cast<std::size_t>(around)]);
+    const double before_neighbour =
+        gap_before(nodes, dt, node, slave_.sides[static_cast<std::size_t>(around)]);
     const bool through_neighbour = before_neighbour >= -entry_tolerance * neighbour.length;
-    if (view.gap >= 0) return through_neighbour;  // beside the corner, past the end of the neighbour
     if (held == side) return false;
     const double before = gap_before(nodes, dt, node, slave_.sides[static_cast<std::size_t>(side)]);
     const bool through = before >= -entry_tolerance * view.length;
     if (through != through_neighbour) return through_neighbour;
-    return before_neighbour - neighbour.gap > before - view.gap;  // the face that it moves into faster
+    // Past the end of one face or both at once: the face that it moves into faster.
+    return before_neighbour - neighbour.gap > before - view.gap;
 }
 
 bool PenetrationSearch::enter_row(const Node* nodes, double dt, std::int32_t master, const Closest& closest,
@@ -184,17 +219,20 @@ bool PenetrationSearch::enter_row(const Node* nodes, double dt, std::int32_t mas
     if (around < 0) {
         if (past_end(view) > end_reach_) return false;
     } else if (past_end(view) > 0) {
-        // The nearest point is a vertex. Outside a convex one there is no contact; inside a concave one the node is pushed
-        // along the line to the vertex. The averaged normal tells the two apart.
-        const SideView other = view_from_side(nodes, slave_.sides[static_cast<std::size_t>(around)], x[0], x[1]);
+        // The nearest point is a vertex. Outside a convex one there is no contact; inside a concave one the
+        // node is pushed along the line to the vertex. The averaged normal tells the two apart.
+        const SideView other =
+            view_from_side(nodes, slave_.sides[static_cast<std::size_t>(around)], x[0], x[1]);
         const double* vertex = nodes[first_half ? side->i : side->j].x;
         const double dx = vertex[0] - x[0], dy = vertex[1] - x[1];
         if (dx * (view.nx + other.nx) + dy * (view.ny + other.ny) <= 0) return false;
         view.nx = dx / closest.distance;
         view.ny = dy / closest.distance;
         view.gap = -closest.distance;
-    } else if (view.gap <= end_reach_ && sharp_corner(nodes, first_half ? around : index, first_half ? index : around)) {
-        const SideView other = view_from_side(nodes, slave_.sides[static_cast<std::size_t>(around)], x[0], x[1]);
+    } else if (view.gap <= end_reach_ &&
+               sharp_corner(nodes, first_half ? around : index, first_half ? index : around)) {
+        const SideView other =
+            view_from_side(nodes, slave_.sides[static_cast<std::size_t>(around)], x[0], x[1]);
         if (other.gap < 0 && past_end(other) <= end_reach_ &&
             entered_neighbour(nodes, dt, node, index, view, held, other)) {
             index = around;
@@ -203,7 +241,8 @@ bool PenetrationSearch::enter_row(const Node* nodes, double dt, std::int32_t mas
         }
     }
     if (view.gap >= 0) return false;
-    if (-view.gap > std::max((held >= 0 ? depth_limit : entry_tolerance) * view.length, step_motion_)) return false;
+    if (-view.gap > std::max((held >= 0 ? depth_limit : entry_tolerance) * view.length, step_motion_))
+        return false;
 
     const double a = std::clamp(view.a, 0.0, 1.0);
     row.node = {node, side->i, side->j};

@@ -35,8 +35,8 @@ void SideTree::fit(const Node* nodes, const std::vector<Side>& sides) {
     }
 }
 
-SideTree::Nearest SideTree::nearest(const Node* nodes, const std::vector<Side>& sides, double x, double y, double slack,
-                                    std::array<std::int32_t, 3> except) const {
+SideTree::Nearest SideTree::nearest(const Node* nodes, const std::vector<Side>& sides, double x, double y,
+                                    double slack, std::array<std::int32_t, 3> except) const {
     Nearest best{-1, std::numeric_limits<double>::infinity()};
     const auto lower_bound = [&](std::size_t k) {
         const Box& box = boxes_[k];

@@ -9,8 +9,8 @@
 
 namespace percuss {
 
-/// A balanced tree of boxes over sides in chain order: neighbours along the chain are neighbours in the tree, so the tree
-/// needs no sorting and keeps its shape for the whole run; only its boxes are fitted anew.
+/// A balanced tree of boxes over sides in chain order: neighbours along the chain are neighbours in the tree,
+/// so the tree needs no sorting and keeps its shape for the whole run; only its boxes are fitted anew.
 class SideTree {
   public:
     struct Nearest {
@@ -20,10 +20,10 @@ class SideTree {
 
     explicit SideTree(std::size_t sides);
     void fit(const Node* nodes, const std::vector<Side>& sides);
-    /// The side nearest to (x, y) that is none of `except`, at the present positions of the nodes; the boxes may be out of
-    /// date by a motion of at most `slack`. side = -1 when there is none.
-    [[nodiscard]] Nearest nearest(const Node* nodes, const std::vector<Side>& sides, double x, double y, double slack,
-                                  std::array<std::int32_t, 3> except = {-1, -1, -1}) const;
+    /// The side nearest to (x, y) that is none of `except`, at the present positions of the nodes; the boxes
+    /// may be out of date by a motion of at most `slack`. side = -1 when there is none.
+    [[nodiscard]] Nearest nearest(const Node* nodes, const std::vector<Side>& sides, double x, double y,
+                                  double slack, std::array<std::int32_t, 3> except = {-1, -1, -1}) const;
 
   private:
     struct Box {

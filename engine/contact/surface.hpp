@@ -8,14 +8,15 @@
 
 namespace percuss {
 
-/// A straight piece of boundary between two nodes; the body lies on the left of i -> j, so the outward normal is
-/// (dy, -dx) / length.
+/// A straight piece of boundary between two nodes; the body lies on the left of i -> j, so the outward normal
+/// is (dy, -dx) / length.
 struct Side {
     std::int32_t i = 0, j = 0;
     std::int32_t previous = -1, next = -1;  ///< neighbours along the chain, -1 at an open end
 };
 
-/// One side of a contact pair: all sides of a named edge or of a body's outline, in chain order, and their nodes.
+/// One side of a contact pair: all sides of a named edge or of a body's outline, in chain order, and their
+/// nodes.
 struct Surface {
     std::vector<Side> sides;
     std::vector<std::int32_t> nodes;  ///< each once, in chain order

@@ -3,7 +3,8 @@
 namespace percuss {
 namespace {
 
-constexpr int spins = 2000;   // some microseconds: longer than the serial part between two rounds of a small step
+constexpr int spins =
+    2000;  // some microseconds: longer than the serial part between two rounds of a small step
 constexpr int yields = 2000;  // about a millisecond: longer than the taking of a snapshot
 
 /// @returns whether `done` came true before patience ran out.

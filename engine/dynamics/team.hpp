@@ -6,8 +6,9 @@
 
 namespace percuss {
 
-/// A few threads that run the same function on different parts, over and over, with little latency. Waiting threads spin for
-/// a moment, then yield, so that a busy machine is not made busier, and sleep when nothing comes for longer.
+/// A few threads that run the same function on different parts, over and over, with little latency. Waiting
+/// threads spin for a moment, then yield, so that a busy machine is not made busier, and sleep when nothing
+/// comes for longer.
 class Team {
   public:
     /// @param size threads including the caller, at least 1.
@@ -17,7 +18,8 @@ class Team {
     Team& operator=(const Team&) = delete;
 
     [[nodiscard]] int size() const { return static_cast<int>(helpers_.size()) + 1; }
-    /// Calls work(part) for part 0 .. size() - 1, part 0 on the caller, and returns when all are done. `work` must not throw.
+    /// Calls work(part) for part 0 .. size() - 1, part 0 on the caller, and returns when all are done. `work`
+    /// must not throw.
     template <class Work>
     void run(const Work& work) {
         if (helpers_.empty()) {

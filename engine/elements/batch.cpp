@@ -10,8 +10,9 @@
 namespace percuss {
 namespace {
 
-/// Exact quadrature of shape functions over one cell: calls visit(N_1..4, weight) with sum of weights = volume per
-/// radian or unit thickness. 2 x 2 Gauss points are exact for N_I r J (degree 3 in each direction).
+/// Exact quadrature of shape functions over one cell: calls visit(N_1..4, weight) with sum of weights =
+/// volume per radian or unit thickness. 2 x 2 Gauss points are exact for N_I r J (degree 3 in each
+/// direction).
 template <class Visit>
 void integrate_quad(const std::array<Vec2, 4>& x, Geometry geometry, Visit visit) {
     const double gauss = 1 / std::sqrt(3.0);
@@ -24,7 +25,8 @@ void integrate_quad(const std::array<Vec2, 4>& x, Geometry geometry, Visit visit
             double weight = along_p.x() * along_e.y() - along_p.y() * along_e.x();
             if (geometry == Geometry::axisymmetric) {
                 double radius = 0;
-                for (int i = 0; i < 4; ++i) radius += shape[static_cast<std::size_t>(i)] * x[static_cast<std::size_t>(i)].x();
+                for (int i = 0; i < 4; ++i)
+                    radius += shape[static_cast<std::size_t>(i)] * x[static_cast<std::size_t>(i)].x();
                 weight *= radius;
             }
             visit(shape, weight);
@@ -59,24 +61,27 @@ ElasticConstants elastic_constants(const Material& material, const Body& body, G
 /// Strain, yield stress and temperature of a point that has not flowed yet.
 std::array<double, 3> initial_law_state(const Plasticity& plasticity) {
     if (const auto* voce = std::get_if<VoceHardening>(&plasticity)) return {0, voce->yield, 0};
-    if (const auto* table = std::get_if<TabulatedHardening>(&plasticity)) return {0, table->points.front().second, 0};
+    if (const auto* table = std::get_if<TabulatedHardening>(&plasticity))
+        return {0, table->points.front().second, 0};
     const auto* law = std::get_if<JohnsonCook>(&plasticity);
-    return law ? std::array{0.0, static_yield_stress(*law, 0, law->initial_temperature), law->initial_temperature}
+    return law ? std::array{0.0, static_yield_stress(*law, 0, law->initial_temperature),
+                            law->initial_temperature}
                : std::array{0.0, 0.0, 0.0};
 }
 
 struct MeanState {
-    double ratio;     // J
-    double pressure;  // mean stress of the bulk law
-    double m, d, s;          // averaged deviator, Cauchy
-    double deviator_square;  // volume average of tau:tau, Kirchhoff
+    double ratio;                 // J
+    double pressure;              // mean stress of the bulk law
+    double m, d, s;               // averaged deviator, Cauchy
+    double deviator_square;       // volume average of tau:tau, Kirchhoff
     std::array<double, 3> law{};  // plastic laws: strain, yield stress, temperature
 };
 
 MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element) {
     const int block = element / block_lanes, lane = element % block_lanes;
     const auto at = [&](int component) {
-        return batch.state[static_cast<std::size_t>((block * batch.kernel.state_size + component) * block_lanes + lane)];
+        return batch.state[static_cast<std::size_t>(
+            (block * batch.kernel.state_size + component) * block_lanes + lane)];
     };
     Cell cell{-1, -1, -1, -1};
     for (int corner = 0; corner < batch.corners; ++corner)
@@ -89,7 +94,8 @@ MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element
     const auto add = [&](int point, double share) {
         const int first = 3 * point;
         for (int k = 0; k < batch.kernel.law_size; ++k)
-            mean.law[static_cast<std::size_t>(k)] += share * at(batch.kernel.law_begin + point * batch.kernel.law_size + k);
+            mean.law[static_cast<std::size_t>(k)] +=
+                share * at(batch.kernel.law_begin + point * batch.kernel.law_size + k);
         const double m = at(first), d = at(first + 1), s = at(first + 2);
         mean.m += share * m / ratio;
         mean.d += share * d / ratio;
@@ -125,9 +131,10 @@ std::array<double, 4> corner_masses(const Cell& cell, const std::vector<Vec2>& n
         }
         return mass;
     }
-    integrate_quad({at(0), at(1), at(2), at(3)}, geometry, [&](const std::array<double, 4>& shape, double weight) {
-        for (std::size_t i = 0; i < 4; ++i) mass[i] += density * shape[i] * weight;
-    });
+    integrate_quad({at(0), at(1), at(2), at(3)}, geometry,
+                   [&](const std::array<double, 4>& shape, double weight) {
+                       for (std::size_t i = 0; i < 4; ++i) mass[i] += density * shape[i] * weight;
+                   });
     return mass;
 }
 
@@ -138,7 +145,8 @@ double cell_volume(const Cell& cell, const Node* nodes, Geometry geometry) {
         return geometry == Geometry::axisymmetric ? area * (at(0).x() + at(1).x() + at(2).x()) / 3 : area;
     }
     double volume = 0;
-    integrate_quad({at(0), at(1), at(2), at(3)}, geometry, [&](const auto&, double weight) { volume += weight; });
+    integrate_quad({at(0), at(1), at(2), at(3)}, geometry,
+                   [&](const auto&, double weight) { volume += weight; });
     return volume;
 }
 
@@ -154,7 +162,8 @@ bool is_inverted(const Cell& cell, const Node* nodes, ElementKind kind, Geometry
     return inverted;
 }
 
-Batch make_batch(const Scene& scene, const Mesh& mesh, std::int32_t body, const std::vector<std::array<bool, 2>>& held) {
+Batch make_batch(const Scene& scene, const Mesh& mesh, std::int32_t body,
+                 const std::vector<std::array<bool, 2>>& held) {
     const auto& definition = scene.bodies[static_cast<std::size_t>(body)];
     const auto& part = mesh.bodies[static_cast<std::size_t>(body)];
     const auto material = std::find_if(scene.materials.begin(), scene.materials.end(),
@@ -167,11 +176,13 @@ Batch make_batch(const Scene& scene, const Mesh& mesh, std::int32_t body, const 
     batch.count = part.cell_end - part.cell_begin;
     batch.corners = part.kind == ElementKind::triangle ? 3 : 4;
     batch.material = elastic_constants(*material, definition, scene.geometry);
-    batch.kernel = find_kernel({batch.kind, batch.geometry, definition.hourglass > 0, material->viscosity.has_value(),
-                                static_cast<PlasticLaw>(material->plasticity.index())},
-                               best_instruction_set());
+    batch.kernel =
+        find_kernel({batch.kind, batch.geometry, definition.hourglass > 0, material->viscosity.has_value(),
+                     static_cast<PlasticLaw>(material->plasticity.index())},
+                    best_instruction_set());
 
-    const auto blocks = static_cast<std::size_t>(batch.blocks()), corners = static_cast<std::size_t>(batch.corners);
+    const auto blocks = static_cast<std::size_t>(batch.blocks()),
+               corners = static_cast<std::size_t>(batch.corners);
     batch.nodes.assign(blocks * corners * block_lanes, 0);
     batch.volume.assign(blocks * block_lanes, 1);
     batch.inverse_mass.assign(blocks * corners * 2 * block_lanes, 0);
@@ -204,8 +215,9 @@ void reset_state(Batch& batch) {
     for (std::size_t block = 0; block < static_cast<std::size_t>(batch.blocks()); ++block) {
         for (int component = batch.kernel.law_begin; component < batch.kernel.state_size; ++component) {
             const int k = (component - batch.kernel.law_begin) % batch.kernel.law_size;
-            const auto first = batch.state.begin() +
-                               static_cast<std::ptrdiff_t>((block * size + static_cast<std::size_t>(component)) * block_lanes);
+            const auto first =
+                batch.state.begin() + static_cast<std::ptrdiff_t>(
+                                          (block * size + static_cast<std::size_t>(component)) * block_lanes);
             std::fill(first, first + block_lanes, start[static_cast<std::size_t>(k)]);
         }
     }

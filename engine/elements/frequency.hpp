@@ -4,8 +4,9 @@
 
 #include "elements/kinematics.hpp"
 
-/// Upper bounds of the largest squared frequency of one element with its own share of the masses. By Rayleigh's quotient
-/// no assembly of elements oscillates faster than its fastest element, so 2/omega is a stable step of the whole mesh.
+/// Upper bounds of the largest squared frequency of one element with its own share of the masses. By
+/// Rayleigh's quotient no assembly of elements oscillates faster than its fastest element, so 2/omega is a
+/// stable step of the whole mesh.
 namespace percuss::PERCUSS_ISA {
 
 template <class Real, int n>
@@ -35,8 +36,9 @@ template <class Real, int n>
     return norm;
 }
 
-/// Bound of the spectral radius by a norm of a power: rho(A) <= |A^(2^squarings)|^(1/2^squarings). Each squaring takes
-/// the square root of the norm's excess; the intermediate scaling keeps the powers within range.
+/// Bound of the spectral radius by a norm of a power: rho(A) <= |A^(2^squarings)|^(1/2^squarings). Each
+/// squaring takes the square root of the norm's excess; the intermediate scaling keeps the powers within
+/// range.
 template <class Real, int n>
 [[gnu::always_inline]] inline Real spectral_radius_bound(Matrix<Real, n> m, int squarings) {
     Real bound = row_norm(m), root = bound;
@@ -74,8 +76,8 @@ struct Moduli {
     }
 };
 
-/// omega^2 with damping: explicit viscous forces of coefficient c lower the stable step to 2/omega (sqrt(1+x^2) - x),
-/// x = c/(2 omega); returned as the omega^2 that has the same step.
+/// omega^2 with damping: explicit viscous forces of coefficient c lower the stable step to 2/omega
+/// (sqrt(1+x^2) - x), x = c/(2 omega); returned as the omega^2 that has the same step.
 template <class Real>
 [[gnu::always_inline]] inline Real damped(Real omega_squared, Real damping) {
     const Real omega = square_root(omega_squared);
@@ -90,16 +92,17 @@ template <class Real>
                                                    const ElasticConstants& material) {
     const Real speed = square_root(material.p_wave / density);
     return density * length * volumetric *
-           (material.viscosity_linear * speed + 2.0 * material.viscosity_quadratic * length * magnitude(rate));
+           (material.viscosity_linear * speed +
+            2.0 * material.viscosity_quadratic * length * magnitude(rate));
 }
 
-/// One-point quads and triangles: in the space of strains and hourglass modes, omega^2 = rho(C B M^-1 B^T), a 6 x 6
-/// problem (rr, zz, hoop, shear, hourglass x, y) instead of an 8 x 8 one.
+/// One-point quads and triangles: in the space of strains and hourglass modes, omega^2 = rho(C B M^-1 B^T), a
+/// 6 x 6 problem (rr, zz, hoop, shear, hourglass x, y) instead of an 8 x 8 one.
 template <class Real, Geometry geometry, int corners, bool hourglass>
-[[gnu::always_inline]] inline Real strain_space_bound(const Real (&bx)[4], const Real (&by)[4], const Real (&hoop)[4],
-                                                      const Real (&gamma)[4], const Real (&mx)[4], const Real (&my)[4],
-                                                      Real volume, Real stiffness,
-                                                      const Moduli<Real, geometry>& c) {
+[[gnu::always_inline]] inline Real strain_space_bound(const Real (&bx)[4], const Real (&by)[4],
+                                                      const Real (&hoop)[4], const Real (&gamma)[4],
+                                                      const Real (&mx)[4], const Real (&my)[4], Real volume,
+                                                      Real stiffness, const Moduli<Real, geometry>& c) {
     const auto dot = [&](const Real(&a)[4], const Real(&b)[4], const Real(&m)[4]) {
         Real sum = a[0] * b[0] * m[0];
         for (int i = 1; i < corners; ++i) sum += a[i] * b[i] * m[i];
@@ -127,8 +130,8 @@ template <class Real, Geometry geometry, int corners, bool hourglass>
         g.a[1][5] = g.a[5][1] = dot(by, gamma, my);
         g.a[3][5] = g.a[5][3] = dot(bx, gamma, my);
     }
-    // Strain rows carry modulus and 1/volume, hourglass rows the stiffness. A similarity transformation keeps the spectrum
-    // and balances the two, which keeps the norm below close to the spectral radius.
+    // Strain rows carry modulus and 1/volume, hourglass rows the stiffness. A similarity transformation keeps
+    // the spectrum and balances the two, which keeps the norm below close to the spectral radius.
     const Real balance = square_root(Real(stiffness * inverse / c.direct));
     Matrix<Real, n> a;
     for (int j = 0; j < n; ++j) {
@@ -148,9 +151,11 @@ template <class Real, Geometry geometry, int corners, bool hourglass>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void load_masses(const Batch& batch, int block, int lane, Real (&mx)[4], Real (&my)[4]) {
-    const double* m = batch.inverse_mass.data() +
-                      static_cast<std::size_t>(block) * static_cast<std::size_t>(batch.corners * 2 * block_lanes) + lane;
+[[gnu::always_inline]] inline void load_masses(const Batch& batch, int block, int lane, Real (&mx)[4],
+                                               Real (&my)[4]) {
+    const double* m =
+        batch.inverse_mass.data() +
+        static_cast<std::size_t>(block) * static_cast<std::size_t>(batch.corners * 2 * block_lanes) + lane;
     for (int corner = 0; corner < batch.corners; ++corner) {
         mx[corner] = load<Real>(m + (2 * corner) * block_lanes);
         my[corner] = load<Real>(m + (2 * corner + 1) * block_lanes);
@@ -170,9 +175,11 @@ template <Geometry geometry, bool hourglass, bool viscous>
 struct QuadOnePointFrequency {
     template <class Real>
     [[gnu::always_inline]] static Real bound(const Batch& batch, const Node* nodes, int block, int lane) {
-        const std::int32_t* index = batch.nodes.data() + static_cast<std::size_t>(block) * (4 * block_lanes) + lane;
+        const std::int32_t* index =
+            batch.nodes.data() + static_cast<std::size_t>(block) * (4 * block_lanes) + lane;
         const auto n1 = gather<Real>(nodes, index), n2 = gather<Real>(nodes, index + block_lanes);
-        const auto n3 = gather<Real>(nodes, index + 2 * block_lanes), n4 = gather<Real>(nodes, index + 3 * block_lanes);
+        const auto n3 = gather<Real>(nodes, index + 2 * block_lanes),
+                   n4 = gather<Real>(nodes, index + 3 * block_lanes);
         const auto g = quad_geometry(to_modes(n1.x, n2.x, n3.x, n4.x), to_modes(n1.y, n2.y, n3.y, n4.y));
         const auto b = quad_integrals<Real, geometry>(g);
         const Real none = 0.0 * b.volume;
@@ -184,12 +191,13 @@ struct QuadOnePointFrequency {
         unpack<Real>({none, -g.j2 * inverse_j0, -g.j1 * inverse_j0, none + 1.0}, gamma);
         load_masses(batch, block, lane, mx, my);
         const Real weight = geometry == Geometry::axisymmetric ? g.x0 : Real(none + 1.0);
-        const Real stiffness = (0.25 * batch.material.hourglass * batch.material.shear) * weight * inverse_j0 *
-                               (g.x1 * g.x1 + g.x2 * g.x2 + g.y1 * g.y1 + g.y2 * g.y2);
-        const Real initial = load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
+        const Real stiffness = (0.25 * batch.material.hourglass * batch.material.shear) * weight *
+                               inverse_j0 * (g.x1 * g.x1 + g.x2 * g.x2 + g.y1 * g.y1 + g.y2 * g.y2);
+        const Real initial =
+            load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
         const Moduli<Real, geometry> moduli(batch.material, Real(b.volume / initial));
-        Real omega2 = strain_space_bound<Real, geometry, 4, hourglass>(bx, by, hoop, gamma, mx, my, b.volume, stiffness,
-                                                                       moduli);
+        Real omega2 = strain_space_bound<Real, geometry, 4, hourglass>(bx, by, hoop, gamma, mx, my, b.volume,
+                                                                       stiffness, moduli);
         if constexpr (viscous) {
             Real volumetric = none, rate = none;
             const Real vx[4] = {n1.vx, n2.vx, n3.vx, n4.vx}, vy[4] = {n1.vy, n2.vy, n3.vy, n4.vy};
@@ -210,13 +218,14 @@ template <Geometry geometry, bool viscous>
 struct TriangleFrequency {
     template <class Real>
     [[gnu::always_inline]] static Real bound(const Batch& batch, const Node* nodes, int block, int lane) {
-        const std::int32_t* index = batch.nodes.data() + static_cast<std::size_t>(block) * (3 * block_lanes) + lane;
+        const std::int32_t* index =
+            batch.nodes.data() + static_cast<std::size_t>(block) * (3 * block_lanes) + lane;
         const auto n1 = gather<Real>(nodes, index), n2 = gather<Real>(nodes, index + block_lanes);
         const auto n3 = gather<Real>(nodes, index + 2 * block_lanes);
         const Real twice_area = (n2.x - n1.x) * (n3.y - n1.y) - (n3.x - n1.x) * (n2.y - n1.y);
         const Real none = 0.0 * twice_area;
-        const Real radius = geometry == Geometry::axisymmetric ? Real((n1.x + n2.x + n3.x) * (1.0 / 3.0))
-                                                               : Real(none + 1.0);
+        const Real radius =
+            geometry == Geometry::axisymmetric ? Real((n1.x + n2.x + n3.x) * (1.0 / 3.0)) : Real(none + 1.0);
         const Real volume = 0.5 * twice_area * radius, half = 0.5 * radius;
         const Real bx[4] = {half * (n2.y - n3.y), half * (n3.y - n1.y), half * (n1.y - n2.y), none};
         const Real by[4] = {half * (n3.x - n2.x), half * (n1.x - n3.x), half * (n2.x - n1.x), none};
@@ -224,9 +233,11 @@ struct TriangleFrequency {
         const Real hoop[4] = {ring, ring, ring, none}, gamma[4] = {none, none, none, none};
         Real mx[4] = {}, my[4] = {};
         load_masses(batch, block, lane, mx, my);
-        const Real initial = load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
+        const Real initial =
+            load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
         const Moduli<Real, geometry> moduli(batch.material, Real(volume / initial));
-        Real omega2 = strain_space_bound<Real, geometry, 3, false>(bx, by, hoop, gamma, mx, my, volume, none, moduli);
+        Real omega2 =
+            strain_space_bound<Real, geometry, 3, false>(bx, by, hoop, gamma, mx, my, volume, none, moduli);
         if constexpr (viscous) {
             Real volumetric = none, rate = none;
             const Real vx[3] = {n1.vx, n2.vx, n3.vx}, vy[3] = {n1.vy, n2.vy, n3.vy};
@@ -235,9 +246,10 @@ struct TriangleFrequency {
                 volumetric += radial * radial * mx[i] + by[i] * by[i] * my[i];
                 rate += radial * vx[i] + by[i] * vy[i];
             }
-            omega2 = damped(omega2, viscous_damping<Real>(volumetric / volume, rate / volume,
-                                                          batch.material.density * initial / volume,
-                                                          square_root(Real(0.5 * twice_area)), batch.material));
+            omega2 =
+                damped(omega2, viscous_damping<Real>(volumetric / volume, rate / volume,
+                                                     batch.material.density * initial / volume,
+                                                     square_root(Real(0.5 * twice_area)), batch.material));
         }
         return omega2;
     }
@@ -248,9 +260,11 @@ template <Geometry geometry, bool viscous>
 struct QuadMeanDilatationFrequency {
     template <class Real>
     [[gnu::always_inline]] static Real bound(const Batch& batch, const Node* nodes, int block, int lane) {
-        const std::int32_t* index = batch.nodes.data() + static_cast<std::size_t>(block) * (4 * block_lanes) + lane;
+        const std::int32_t* index =
+            batch.nodes.data() + static_cast<std::size_t>(block) * (4 * block_lanes) + lane;
         const auto n1 = gather<Real>(nodes, index), n2 = gather<Real>(nodes, index + block_lanes);
-        const auto n3 = gather<Real>(nodes, index + 2 * block_lanes), n4 = gather<Real>(nodes, index + 3 * block_lanes);
+        const auto n3 = gather<Real>(nodes, index + 2 * block_lanes),
+                   n4 = gather<Real>(nodes, index + 3 * block_lanes);
         const auto g = quad_geometry(to_modes(n1.x, n2.x, n3.x, n4.x), to_modes(n1.y, n2.y, n3.y, n4.y));
         const auto b = quad_integrals<Real, geometry>(g);
         const Real none = 0.0 * b.volume;
@@ -261,7 +275,8 @@ struct QuadMeanDilatationFrequency {
             root[i] = square_root(mx[i]);
             root[4 + i] = square_root(my[i]);
         }
-        const Real initial = load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
+        const Real initial =
+            load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
         const Real ratio = b.volume / initial;
         const Real bulk = batch.material.bulk / (ratio * ratio);
 
@@ -285,12 +300,15 @@ struct QuadMeanDilatationFrequency {
         for (int point = 0; point < 4; ++point) {
             const double p = xi[point], e = eta[point];
             const Real jacobian = g.j0 + p * g.j1 + e * g.j2, inverse = 1.0 / jacobian;
-            const Real x_xi = g.x1 + e * g.x3, x_eta = g.x2 + p * g.x3, y_xi = g.y1 + e * g.y3, y_eta = g.y2 + p * g.y3;
+            const Real x_xi = g.x1 + e * g.x3, x_eta = g.x2 + p * g.x3, y_xi = g.y1 + e * g.y3,
+                       y_eta = g.y2 + p * g.y3;
             Real nx[4], ny[4], nh[4];
             unpack<Real>({none, 0.25 * inverse * y_eta, -0.25 * inverse * y_xi,
-                          0.25 * inverse * (e * y_eta - p * y_xi)}, nx);
+                          0.25 * inverse * (e * y_eta - p * y_xi)},
+                         nx);
             unpack<Real>({none, -0.25 * inverse * x_eta, 0.25 * inverse * x_xi,
-                          0.25 * inverse * (p * x_xi - e * x_eta)}, ny);
+                          0.25 * inverse * (p * x_xi - e * x_eta)},
+                         ny);
             Real radius = none + 1.0;
             unpack<Real>({none, none, none, none}, nh);
             if constexpr (geometry == Geometry::axisymmetric) {
@@ -298,7 +316,8 @@ struct QuadMeanDilatationFrequency {
                 const Real shape = 0.25 / radius;
                 unpack<Real>({shape, p * shape, e * shape, (p * e) * shape}, nh);
             }
-            // Deviatoric energy mu (e11^2 + e22^2 + e33^2 - tr^2/3) * 2 + mu gamma^2; plane stress: 2 mu d^2-part only.
+            // Deviatoric energy mu (e11^2 + e22^2 + e33^2 - tr^2/3) * 2 + mu gamma^2; plane stress: 2 mu
+            // d^2-part only.
             Real row11[8], row22[8], row33[8], shear[8];
             for (int i = 0; i < 4; ++i) {
                 row11[i] = nx[i] * root[i];
@@ -314,9 +333,10 @@ struct QuadMeanDilatationFrequency {
             const Real factor = (batch.material.shear / ratio) * radius * jacobian;
             for (int i = 0; i < 8; ++i)
                 for (int j = 0; j < 8; ++j) {
-                    const Real trace_i = row11[i] + row22[i] + row33[i], trace_j = row11[j] + row22[j] + row33[j];
-                    k.a[i][j] += factor * (2.0 * (row11[i] * row11[j] + row22[i] * row22[j] + row33[i] * row33[j] -
-                                                  share * trace_i * trace_j) +
+                    const Real trace_i = row11[i] + row22[i] + row33[i],
+                               trace_j = row11[j] + row22[j] + row33[j];
+                    k.a[i][j] += factor * (2.0 * (row11[i] * row11[j] + row22[i] * row22[j] +
+                                                  row33[i] * row33[j] - share * trace_i * trace_j) +
                                            shear[i] * shear[j]);
                 }
         }

@@ -5,14 +5,15 @@
 
 namespace percuss::PERCUSS_ISA {
 
-/// Displacement increment of a step, differentiated with respect to the positions at its end: h_ij = du_i/dx_j, and the
-/// hoop stretch increment u_r / r.
+/// Displacement increment of a step, differentiated with respect to the positions at its end: h_ij =
+/// du_i/dx_j, and the hoop stretch increment u_r / r.
 template <class Real>
 struct Gradient {
     Real h11, h12, h21, h22, hoop;
 };
 
-/// Strain increment and rotation of a step, measured at mid-step, where a rigid rotation has none of the former.
+/// Strain increment and rotation of a step, measured at mid-step, where a rigid rotation has none of the
+/// former.
 template <class Real>
 struct StepStrain {
     Deviator<Real> deviator;
@@ -20,8 +21,8 @@ struct StepStrain {
     Real cosine, sine;  ///< of the rotation in the plane
 };
 
-/// Mid-step gradient G = H (I - H/2)^-1, exact for every affine motion: its symmetric part vanishes in a rigid rotation,
-/// and the Cayley transform of its skew part is that rotation (Hughes & Winget 1980).
+/// Mid-step gradient G = H (I - H/2)^-1, exact for every affine motion: its symmetric part vanishes in a
+/// rigid rotation, and the Cayley transform of its skew part is that rotation (Hughes & Winget 1980).
 template <class Real, Geometry geometry>
 [[gnu::always_inline]] inline StepStrain<Real> step_strain(const Gradient<Real>& h) {
     const Real determinant = h.h11 * h.h22 - h.h12 * h.h21;
@@ -52,8 +53,9 @@ template <class Real, Geometry geometry>
     const Real scale = 1.0 / (1.0 + square);
     strain.cosine = (1.0 - square) * scale;
     strain.sine = 2.0 * half_spin * scale;
-    // The increment belongs to mid-step; the mean of it and of it turned by the whole step is it turned by half a step, to
-    // second order. Without this the work of stresses misses the stored energy by the first order of a step.
+    // The increment belongs to mid-step; the mean of it and of it turned by the whole step is it turned by
+    // half a step, to second order. Without this the work of stresses misses the stored energy by the first
+    // order of a step.
     Deviator<Real> turned = strain.deviator;
     rotate(turned, strain.cosine, strain.sine);
     strain.deviator.d = 0.5 * (strain.deviator.d + turned.d);
@@ -69,7 +71,8 @@ struct Stress {
 
 /// Cauchy stress from its mean and the Kirchhoff deviator; inverse_ratio = 1/J.
 template <class Real, Geometry geometry>
-[[gnu::always_inline]] inline Stress<Real> total_stress(Real mean, const Deviator<Real>& tau, Real inverse_ratio) {
+[[gnu::always_inline]] inline Stress<Real> total_stress(Real mean, const Deviator<Real>& tau,
+                                                        Real inverse_ratio) {
     const Real m = inverse_ratio * tau.m, d = inverse_ratio * tau.d, s = inverse_ratio * tau.s;
     if constexpr (geometry == Geometry::plane_stress) {
         return {mean + d, mean - d, 0.0 * mean, s};
@@ -78,8 +81,9 @@ template <class Real, Geometry geometry>
     }
 }
 
-/// Work of a viscous pressure over a step, half with its value at the start and half with that at the end, as nodal forces
-/// work in a leapfrog: what the ledger books then is what the nodes lost. Keeps the pressure for the next step.
+/// Work of a viscous pressure over a step, half with its value at the start and half with that at the end, as
+/// nodal forces work in a leapfrog: what the ledger books then is what the nodes lost. Keeps the pressure for
+/// the next step.
 template <class Real>
 [[gnu::always_inline]] inline Real viscous_work(double* kept, Real pressure, Real volume_change) {
     const Real before = load<Real>(kept);
@@ -146,9 +150,9 @@ template <class Real>
     return g;
 }
 
-/// Exact integrals over a bilinear quad with weight w = r (axisymmetric, per radian) or 1 (plane, unit thickness),
-/// as modes: bx_I = int N_I,x w dA and by_I = int N_I,y w dA have no constant mode; the hoop row int N_I dA has no
-/// xi eta mode. `volume` = int w dA.
+/// Exact integrals over a bilinear quad with weight w = r (axisymmetric, per radian) or 1 (plane, unit
+/// thickness), as modes: bx_I = int N_I,x w dA and by_I = int N_I,y w dA have no constant mode; the hoop row
+/// int N_I dA has no xi eta mode. `volume` = int w dA.
 template <class Real>
 struct QuadIntegrals {
     Real volume;

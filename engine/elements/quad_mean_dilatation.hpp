@@ -4,8 +4,9 @@
 
 namespace percuss::PERCUSS_ISA {
 
-/// Four-node quad with 2 x 2 points for the deviator and one pressure from the exact volume (mean dilatation, B-bar:
-/// Nagtegaal, Parks & Rice 1974, doi:10.1016/0045-7825(74)90032-2; Hughes 1980): no hourglass modes, no volume locking.
+/// Four-node quad with 2 x 2 points for the deviator and one pressure from the exact volume (mean dilatation,
+/// B-bar: Nagtegaal, Parks & Rice 1974, doi:10.1016/0045-7825(74)90032-2; Hughes 1980): no hourglass modes,
+/// no volume locking.
 template <class Law, Geometry geometry, bool viscous>
 struct QuadMeanDilatation {
     static constexpr int corners = 4;
@@ -23,7 +24,8 @@ struct QuadMeanDilatation {
         double* force = batch.force.data() + first * (8 * block_lanes) + 2 * lane;
 
         const auto n1 = gather<Real>(nodes, index), n2 = gather<Real>(nodes, index + block_lanes);
-        const auto n3 = gather<Real>(nodes, index + 2 * block_lanes), n4 = gather<Real>(nodes, index + 3 * block_lanes);
+        const auto n3 = gather<Real>(nodes, index + 2 * block_lanes),
+                   n4 = gather<Real>(nodes, index + 3 * block_lanes);
         const auto x = to_modes(n1.x, n2.x, n3.x, n4.x), y = to_modes(n1.y, n2.y, n3.y, n4.y);
         const auto u = to_modes(n1.vx, n2.vx, n3.vx, n4.vx), w = to_modes(n1.vy, n2.vy, n3.vy, n4.vy);
         const auto g = quad_geometry(x, y);
@@ -37,19 +39,21 @@ struct QuadMeanDilatation {
         Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
         if constexpr (viscous) {
             // Mean trace of the step at its end, to second order at mid-step.
-            Real trace = b.bx1 * u.c1 + b.bx2 * u.c2 + b.bx3 * u.c3 + b.by1 * w.c1 + b.by2 * w.c2 + b.by3 * w.c3;
-            if constexpr (geometry == Geometry::axisymmetric) trace += b.hoop0 * u.c0 + b.hoop1 * u.c1 + b.hoop2 * u.c2;
+            Real trace =
+                b.bx1 * u.c1 + b.bx2 * u.c2 + b.bx3 * u.c3 + b.by1 * w.c1 + b.by2 * w.c2 + b.by3 * w.c3;
+            if constexpr (geometry == Geometry::axisymmetric)
+                trace += b.hoop0 * u.c0 + b.hoop1 * u.c1 + b.hoop2 * u.c2;
             trace = dt * trace / b.volume;
-            const Real q = bulk_viscosity<Real>(trace, material.density * inverse_ratio, square_root(Real(4.0 * g.j0)),
-                                                dt, material);
+            const Real q = bulk_viscosity<Real>(trace, material.density * inverse_ratio,
+                                                square_root(Real(4.0 * g.j0)), dt, material);
             add_to(sums.viscous + lane, viscous_work<Real>(state + 12 * block_lanes, q, trace * b.volume));
             mean -= q;
         }
 
         // The pressure acts on the exact volume gradient.
         const Real hoop_mean = geometry == Geometry::axisymmetric ? mean : Real(0.0 * mean);
-        Modes<Real> fx{hoop_mean * b.hoop0, mean * b.bx1 + hoop_mean * b.hoop1, mean * b.bx2 + hoop_mean * b.hoop2,
-                       mean * b.bx3};
+        Modes<Real> fx{hoop_mean * b.hoop0, mean * b.bx1 + hoop_mean * b.hoop1,
+                       mean * b.bx2 + hoop_mean * b.hoop2, mean * b.bx3};
         Modes<Real> fy{0.0 * mean, mean * b.by1, mean * b.by2, mean * b.by3};
 
         Real bad = 0.0 * b.volume;

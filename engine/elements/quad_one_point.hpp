@@ -4,9 +4,9 @@
 
 namespace percuss::PERCUSS_ISA {
 
-/// Four-node quad with one integration point: volume-weighted mean gradients, exact ring volume for the pressure, and
-/// Flanagan-Belytschko hourglass stiffness (1981, doi:10.1002/nme.1620170504) in rate form, so that no rigid or
-/// homogeneous motion feels it.
+/// Four-node quad with one integration point: volume-weighted mean gradients, exact ring volume for the
+/// pressure, and Flanagan-Belytschko hourglass stiffness (1981, doi:10.1002/nme.1620170504) in rate form, so
+/// that no rigid or homogeneous motion feels it.
 template <class Law, Geometry geometry, bool hourglass, bool viscous>
 struct QuadOnePoint {
     static constexpr int corners = 4;
@@ -25,7 +25,8 @@ struct QuadOnePoint {
         double* force = batch.force.data() + first * (8 * block_lanes) + 2 * lane;
 
         const auto n1 = gather<Real>(nodes, index), n2 = gather<Real>(nodes, index + block_lanes);
-        const auto n3 = gather<Real>(nodes, index + 2 * block_lanes), n4 = gather<Real>(nodes, index + 3 * block_lanes);
+        const auto n3 = gather<Real>(nodes, index + 2 * block_lanes),
+                   n4 = gather<Real>(nodes, index + 3 * block_lanes);
         const auto x = to_modes(n1.x, n2.x, n3.x, n4.x), y = to_modes(n1.y, n2.y, n3.y, n4.y);
         const auto u = to_modes(n1.vx, n2.vx, n3.vx, n4.vx), w = to_modes(n1.vy, n2.vy, n3.vy, n4.vy);
         const auto g = quad_geometry(x, y);
@@ -43,14 +44,15 @@ struct QuadOnePoint {
         const auto strain = step_strain<Real, geometry>(h);
 
         // Stress: pressure from the volume, deviator from the law.
-        Deviator<Real> s{load<Real>(state), load<Real>(state + block_lanes), load<Real>(state + 2 * block_lanes)};
+        Deviator<Real> s{load<Real>(state), load<Real>(state + block_lanes),
+                         load<Real>(state + 2 * block_lanes)};
         rotate(s, strain.cosine, strain.sine);
         if constexpr (Law::extra_state == 0) {
             Law::template update<Real>(s, strain.deviator, material);
         } else {
             const Real initial = load<Real>(batch.volume.data() + first * block_lanes + lane);
-            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes, batch,
-                                                         b.volume / initial, dt);
+            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes,
+                                                         batch, b.volume / initial, dt);
             add_to(sums.plastic + lane, Real(work * initial));
         }
         store(state, s.m);
@@ -61,8 +63,8 @@ struct QuadOnePoint {
         Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
         if constexpr (viscous) {
             const Real area = 4.0 * g.j0;
-            const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio, square_root(area), dt,
-                                                material);
+            const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio,
+                                                square_root(area), dt, material);
             double* kept = state + (law_begin - 1) * block_lanes;
             add_to(sums.viscous + lane, viscous_work<Real>(kept, q, strain.trace * b.volume));
             mean -= q;
@@ -81,7 +83,8 @@ struct QuadOnePoint {
         fy.c3 = stress.s12 * b.bx3 + stress.s22 * b.by3;
 
         if constexpr (hourglass) {
-            // gamma_I = xi eta - xi J2/J0 - eta J1/J0 is orthogonal to every linear field of the present positions.
+            // gamma_I = xi eta - xi J2/J0 - eta J1/J0 is orthogonal to every linear field of the present
+            // positions.
             const Real inverse_j0 = 1.0 / g.j0;
             const Real gamma1 = -g.j2 * inverse_j0, gamma2 = -g.j1 * inverse_j0;
             const Real qx = dt * (u.c3 + gamma1 * u.c1 + gamma2 * u.c2);
@@ -90,7 +93,8 @@ struct QuadOnePoint {
             // 2 mu, not lambda + 2 mu: bending keeps the volume, and must stay soft as nu approaches 1/2.
             const Real stiffness = (0.25 * material.hourglass * material.shear) * weight * inverse_j0 *
                                    (g.x1 * g.x1 + g.x2 * g.x2 + g.y1 * g.y1 + g.y2 * g.y2);
-            const Real old_x = load<Real>(state + 3 * block_lanes), old_y = load<Real>(state + 4 * block_lanes);
+            const Real old_x = load<Real>(state + 3 * block_lanes),
+                       old_y = load<Real>(state + 4 * block_lanes);
             const Real turned_x = strain.cosine * old_x - strain.sine * old_y;
             const Real turned_y = strain.sine * old_x + strain.cosine * old_y;
             const Real new_x = turned_x + stiffness * qx, new_y = turned_y + stiffness * qy;

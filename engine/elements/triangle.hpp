@@ -43,7 +43,8 @@ struct Triangle {
         const Real volume = 0.5 * twice_area * radius;
         const auto strain = step_strain<Real, geometry>(h);
 
-        Deviator<Real> s{load<Real>(state), load<Real>(state + block_lanes), load<Real>(state + 2 * block_lanes)};
+        Deviator<Real> s{load<Real>(state), load<Real>(state + block_lanes),
+                         load<Real>(state + 2 * block_lanes)};
         rotate(s, strain.cosine, strain.sine);
         if constexpr (Law::extra_state == 0) {
             Law::template update<Real>(s, strain.deviator, material);
@@ -62,12 +63,14 @@ struct Triangle {
         if constexpr (viscous) {
             const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio,
                                                 square_root(Real(0.5 * twice_area)), dt, material);
-            add_to(sums.viscous + lane, viscous_work<Real>(state + 3 * block_lanes, q, strain.trace * volume));
+            add_to(sums.viscous + lane,
+                   viscous_work<Real>(state + 3 * block_lanes, q, strain.trace * volume));
             mean -= q;
         }
         const auto stress = total_stress<Real, geometry>(mean, s, inverse_ratio);
 
-        const Real s11 = 0.5 * radius * stress.s11, s22 = 0.5 * radius * stress.s22, s12 = 0.5 * radius * stress.s12;
+        const Real s11 = 0.5 * radius * stress.s11, s22 = 0.5 * radius * stress.s22,
+                   s12 = 0.5 * radius * stress.s12;
         const Real hoop = geometry == Geometry::axisymmetric ? Real(stress.s33 * twice_area * (1.0 / 6.0))
                                                              : Real(0.0 * twice_area);
         const Real f2x = s11 * y31 - s12 * x31, f2y = s12 * y31 - s22 * x31;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "mesh/curve.hpp"
+#include "scene/bound_formula.hpp"
 
 namespace percuss {
 namespace {
@@ -24,10 +25,14 @@ std::vector<Vec2> points_back(const EdgeShape& shape, const Vec2& from, const Ve
     return points;
 }
 
+std::vector<double> cell_ends(const Block& block, std::size_t direction) {
+    if (!block.fractions[direction].empty()) return block.fractions[direction];
+    return graded_fractions(block.divisions[direction], block.grading[direction]);
+}
+
 void fill_nodes(const Block& block, BlockGrid& grid) {
     const auto& [c0, c1, c2, c3] = block.corners;
-    const auto s = graded_fractions(grid.columns, block.grading[0]),
-               t = graded_fractions(grid.rows, block.grading[1]);
+    const auto s = cell_ends(block, 0), t = cell_ends(block, 1);
     const auto bottom = points_along(block.shapes[0], c0, c1, s),
                top = points_back(block.shapes[2], c2, c3, s);
     const auto right = points_along(block.shapes[1], c1, c2, t),
@@ -47,6 +52,32 @@ void fill_nodes(const Block& block, BlockGrid& grid) {
                 const Vec2 corners =
                     (1 - t[j]) * ((1 - s[i]) * c0 + s[i] * c1) + t[j] * ((1 - s[i]) * c3 + s[i] * c2);
                 grid.nodes.push_back(between - corners);
+            }
+        }
+    }
+}
+
+/// Adds the formulas of block.shift, all taken at the places before the shift.
+void shift_nodes(const Block& block, BlockGrid& grid) {
+    const auto& [by, names] = block.shift;
+    const auto before = grid.nodes;
+    const auto at = [&](int column, int row) {
+        return before[static_cast<std::size_t>(grid.node(column, row))];
+    };
+    const bool ring = names[0] == "r";
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+        if (!by[direction]) continue;
+        BoundFormula formula(*by[direction]);
+        for (int j = 0; j <= grid.rows; ++j) {
+            formula.set("j", j);
+            formula.set(ring ? "R" : "X", at(grid.columns, j).x());
+            for (int i = 0; i <= grid.columns; ++i) {
+                formula.set("i", i);
+                formula.set(ring ? "Z" : "Y", at(i, grid.rows).y());
+                formula.set(names[0], at(i, j).x());
+                formula.set(names[1], at(i, j).y());
+                grid.nodes[static_cast<std::size_t>(grid.node(i, j))][static_cast<Eigen::Index>(direction)] +=
+                    formula.value();
             }
         }
     }
@@ -135,6 +166,7 @@ double BlockGrid::smallest_side() const {
 BlockGrid mesh_block(const Block& block, CellPattern pattern) {
     BlockGrid grid{block.divisions[0], block.divisions[1], {}, {}};
     fill_nodes(block, grid);
+    shift_nodes(block, grid);
     fill_cells(pattern, grid);
     return grid;
 }

@@ -97,12 +97,12 @@ std::vector<Edge> Boundary::outlines() const {
     return loops;
 }
 
-Edge Boundary::named_edge(const std::string& name) const {
+Edge Boundary::named_edge(const std::string& name, const std::vector<std::string>& side_names) const {
     std::unordered_map<std::int32_t, std::int32_t> following;
     std::unordered_set<std::int32_t> ends;
     std::vector<std::int32_t> begins;
     for (const auto& side : *sides_) {
-        if (side.name != name) continue;
+        if (std::find(side_names.begin(), side_names.end(), side.name) == side_names.end()) continue;
         for (std::size_t i = 1; i < side.nodes.size(); ++i) {
             const auto a = side.nodes[i - 1], b = side.nodes[i];
             if (next(a) != b)

@@ -36,9 +36,9 @@ class Boundary {
     [[nodiscard]] std::optional<std::int32_t> next(std::int32_t node) const;
     /// All loops, the largest enclosed area first, named "outline", "outline 2", ...
     [[nodiscard]] std::vector<Edge> outlines() const;
-    /// The chain of all sides of this name. @throws std::invalid_argument when one lies inside the body or
-    /// they do not connect.
-    [[nodiscard]] Edge named_edge(const std::string& name) const;
+    /// The chain of all sides that have one of the names. @throws std::invalid_argument when one lies inside
+    /// the body or they do not connect.
+    [[nodiscard]] Edge named_edge(const std::string& name, const std::vector<std::string>& side_names) const;
 
   private:
     [[nodiscard]] Vec2 point(std::int32_t node) const;

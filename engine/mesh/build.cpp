@@ -50,6 +50,8 @@ class BodyMesher {
     void add_grid(const Block& block) {
         try {
             grids_.push_back(mesh_block(block, body_.pattern));
+        } catch (const FormulaError& error) {
+            return fail(error.place(), error.what());
         } catch (const std::invalid_argument& error) {
             return fail(block.place, error.what());
         }
@@ -159,7 +161,15 @@ class BodyMesher {
                             hanging->second.x(), hanging->second.y(), scene_.units.length_name()));
         boundary.require_loops();
         result.outlines = boundary.outlines();
-        for (const auto& name : edge_names(body_)) result.edges.push_back(boundary.named_edge(name));
+        for (const auto& name : edge_names(body_))
+            result.edges.push_back(boundary.named_edge(name, sides_of(name)));
+    }
+
+    /// Names of the block sides that make up an edge: its own, or those of its chain.
+    [[nodiscard]] std::vector<std::string> sides_of(const std::string& edge) const {
+        for (const auto& chain : body_.chains)
+            if (chain.name == edge) return chain.edges;
+        return {edge};
     }
 
     const Scene& scene_;

@@ -5,6 +5,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
+#include "scene/bound_formula.hpp"
+
 namespace percuss {
 namespace {
 
@@ -68,12 +72,61 @@ struct Evaluate {
         return points;
     }
 
+    std::vector<Vec2> operator()(const FormulaSide& side) const {
+        std::vector<Vec2> points;
+        for (const double s : fractions) points.push_back(lerp(from, to, s));
+        const auto& [by, names] = side.of;
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!by[i]) continue;
+            // With both formulas the variable is s, with one the other coordinate, still on its straight
+            // line.
+            const bool both = by[1 - i].has_value();
+            const auto own = static_cast<Eigen::Index>(i);
+            BoundFormula formula(*by[i]);
+            for (std::size_t p = 0; p < points.size(); ++p) {
+                formula.set(both ? "s" : names[1 - i], both ? fractions[p] : points[p][1 - own]);
+                points[p][own] = formula.value();
+            }
+            require_end(*by[i], names[i], points.front()[own], from[own], "begins");
+            require_end(*by[i], names[i], points.back()[own], to[own], "ends");
+        }
+        return points;
+    }
+
+    void require_end(const Formula& formula, const std::string& name, double found, double corner,
+                     const char* verb) const {
+        if (std::abs(found - corner) > 1e-6 * (to - from).norm())
+            throw FormulaError(formula, fmt::format("{} at {} = {:.9g}, but the corner there has {} = {:.9g}",
+                                                    verb, name, found, name, corner));
+    }
+
     static Vec2 lerp(const Vec2& a, const Vec2& b, double s) {
         return {std::lerp(a.x(), b.x(), s), std::lerp(a.y(), b.y(), s)};
     }
 };
 
+struct Measure {
+    Vec2 from, to;
+
+    double operator()(const Straight&) const { return (to - from).norm(); }
+    double operator()(const Polyline& line) const {
+        double sum = 0;
+        Vec2 last = from;
+        for (const auto& point : line.points) sum += (point - last).norm(), last = point;
+        return sum + (to - last).norm();
+    }
+    template <class Curved>
+    double operator()(const Curved& curved) const {
+        const auto points = points_along(curved, from, to, graded_fractions(1000, 1));
+        return (*this)(Polyline{points});
+    }
+};
+
 }  // namespace
+
+double side_length(const EdgeShape& shape, const Vec2& from, const Vec2& to) {
+    return std::visit(Measure{from, to}, shape);
+}
 
 std::vector<double> graded_fractions(int n, double ratio) {
     std::vector<double> fractions(static_cast<std::size_t>(n) + 1, 0.0);

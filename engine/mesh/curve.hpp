@@ -10,11 +10,14 @@ namespace percuss {
 /// first.
 [[nodiscard]] std::vector<double> graded_fractions(int n, double ratio);
 
-/// Points of a block side from `from` to `to` at the given fractions of its length; both ends are met
-/// exactly.
+/// Points of a block side from `from` to `to` at the given fractions of its length, of a formula of the range
+/// of its variable; both ends are met exactly.
 /// @throws std::invalid_argument for an arc whose three points lie on a line, a polyline with a zero-length
-/// part.
+/// part; FormulaError where a formula has no value or does not meet the ends.
 [[nodiscard]] std::vector<Vec2> points_along(const EdgeShape& shape, const Vec2& from, const Vec2& to,
                                              const std::vector<double>& fractions);
+
+/// Length of a block side; of formulas that of 1000 chords. @throws as points_along
+[[nodiscard]] double side_length(const EdgeShape& shape, const Vec2& from, const Vec2& to);
 
 }  // namespace percuss

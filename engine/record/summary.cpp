@@ -83,7 +83,8 @@ Json extent(const Mesh& mesh, const Snapshot& last, std::size_t body, const Name
     const MeshBody& part = mesh.bodies[body];
     for (std::size_t d = 0; d < 2; ++d) {
         double least = std::numeric_limits<double>::infinity(), most = -least;
-        for (auto n = static_cast<std::size_t>(part.node_begin); n < static_cast<std::size_t>(part.node_end); ++n) {
+        for (auto n = static_cast<std::size_t>(part.node_begin); n < static_cast<std::size_t>(part.node_end);
+             ++n) {
             least = std::min(least, last.position[2 * n + d]);
             most = std::max(most, last.position[2 * n + d]);
         }
@@ -92,12 +93,20 @@ Json extent(const Mesh& mesh, const Snapshot& last, std::size_t body, const Name
     return result;
 }
 
-Json bodies(const RunSetup& setup, const RunStatistics& statistics, const Snapshot& last, const Names& names) {
+Json parameters(const Scene& scene) {
+    Json result = Json::object();
+    for (const Parameter& parameter : scene.parameters) result[parameter.name] = parameter.value;
+    return result;
+}
+
+Json bodies(const RunSetup& setup, const RunStatistics& statistics, const Snapshot& last,
+            const Names& names) {
     const Scene& scene = setup.scene;
     Json result = Json::object();
     for (std::size_t b = 0; b < std::min(scene.bodies.size(), last.bodies.size()); ++b) {
         Json& body = result[scene.bodies[b].name];
-        body = {{"velocity", by_direction(names, last.bodies[b].velocity)}, {"extent", extent(setup.mesh, last, b, names)}};
+        body = {{"velocity", by_direction(names, last.bodies[b].velocity)},
+                {"extent", extent(setup.mesh, last, b, names)}};
         if (b < statistics.bodies.size()) {
             const BodyEnergies& e = statistics.bodies[b];
             body["energy"] = {{"kinetic", e.kinetic},
@@ -165,6 +174,7 @@ nlohmann::ordered_json make_summary(const RunSetup& setup, const RunStatistics& 
     Json summary;
     summary["percuss"] = PERCUSS_VERSION;
     summary["scene"] = scene.title;
+    summary["parameters"] = parameters(scene);
     summary["status"] = status_name(last.status);
     summary["message"] = last.message;
     summary["time"] = last.time;

@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// summary.json: status and message, steps, elements, wall_seconds by phase, contact_share,
+/// summary.json: parameters.NAME, status and message, steps, elements, wall_seconds by phase, contact_share,
 /// element_steps_per_second, dt_min, dt_max, critical_step, energy {initial, final, maximum_growth,
 /// maximum_loss, ...}, momentum, contact.NAME {peak_force, impulse, open_close_events, max_penetration, ...},
 /// body.NAME.velocity.{axial,radial|x,y}, exact.COLUMN {error, error_averaged, first_sample}, state_hash,

@@ -1,7 +1,9 @@
 #include "run/engine.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <utility>
@@ -13,7 +15,7 @@
 namespace percuss {
 namespace {
 
-/// Steps between copies of the state that a diverging run goes back to.
+/// Steps between copies of the state from which a diverged run goes back to its last good step.
 constexpr std::int64_t steps_between_safe_states = 256;
 
 template <class... Handlers>
@@ -30,18 +32,22 @@ struct Engine::Impl {
         thread = std::thread([this] { serve(); });
     }
 
-    std::unique_ptr<Solver> make_solver(const Scene& of) const { return std::make_unique<Solver>(of, options.threads); }
+    std::unique_ptr<Solver> make_solver(const Scene& of) const {
+        return std::make_unique<Solver>(of, options.threads);
+    }
 
     // Owned by the engine thread once it runs.
     Scene scene;
     EngineOptions options;
     std::unique_ptr<Solver> solver;
+    std::shared_ptr<History> recording;
     SolverState safe_state;
     std::int64_t next_safe_state = 0;
     std::int64_t frames = 0;
     double history_seconds = 0;
     double pause_at = 0;
-    std::int64_t steps_left = std::numeric_limits<std::int64_t>::max();
+    std::int64_t steps_left = 0;
+    RunStatus state = RunStatus::paused;
     std::string message;
     bool stop = false;
 
@@ -49,9 +55,9 @@ struct Engine::Impl {
     mutable std::mutex mutex;
     std::condition_variable work_came, fell_idle;
     std::deque<Command> commands;
-    bool idle = false;
+    bool idle = false, ended = false;
     std::shared_ptr<const Snapshot> published;
-    std::shared_ptr<History> history;
+    std::shared_ptr<const History> history;
     RunStatistics statistics;
     std::vector<std::string> messages;
 
@@ -60,57 +66,75 @@ struct Engine::Impl {
     std::thread thread;
 
     void begin_run() {
-        auto fresh = std::make_shared<History>(Solver::history_columns(solver->setup()->scene));
-        {
-            const std::lock_guard lock(mutex);
-            history = std::move(fresh);
-        }
+        recording = std::make_shared<History>(Solver::history_columns(solver->setup()->scene));
         frames = 0;
         next_safe_state = 0;
         history_seconds = 0;
         message.clear();
-        status = RunStatus::paused;
+        state = RunStatus::paused;
         publish(true);
     }
 
-    void publish(bool complete) {
-        auto snapshot = std::make_shared<Snapshot>(*solver->snapshot());
-        snapshot->status = status;
+    std::shared_ptr<const Snapshot> take_snapshot() const {
+        auto snapshot = solver->snapshot();
+        snapshot->status = state;
         snapshot->message = message;
+        return snapshot;
+    }
+
+    void publish(bool complete) {
+        auto snapshot = take_snapshot();
         RunStatistics counted = solver->statistics(complete);
         counted.seconds.history = history_seconds;
         counted.step_seconds += history_seconds;
         const std::lock_guard lock(mutex);
         published = std::move(snapshot);
+        history = recording;
         statistics = std::move(counted);
+        status = state;
     }
 
     void emit_frame() {
-        if (!options.on_frame) return;
-        auto snapshot = std::make_shared<Snapshot>(*solver->snapshot());
-        snapshot->status = status;
-        snapshot->message = message;
-        options.on_frame(std::move(snapshot));
+        if (options.on_frame) options.on_frame(take_snapshot());
     }
+
+    bool reached(double time) const { return solver->time() >= time * (1 - 1e-12); }
 
     void emit_due_frame() {
         if (!options.on_frame || !options.frame_interval) return;
-        // A step that jumps over several frame times gives one frame, the newest.
-        if (solver->time() < static_cast<double>(frames) * *options.frame_interval * (1 - 1e-12)) return;
+        if (!reached(static_cast<double>(frames) * *options.frame_interval)) return;
         emit_frame();
-        while (solver->time() >= static_cast<double>(frames) * *options.frame_interval * (1 - 1e-12)) ++frames;
+        // A step that jumps over several frame times gives one frame, the newest.
+        while (reached(static_cast<double>(frames) * *options.frame_interval)) ++frames;
     }
 
     void end_run(RunStatus how) {
-        status = how;
+        state = how;
         emit_frame();
         publish(true);
     }
 
-    void diverge(std::string why) {
+    /// Goes back to the last step before `failed_step` whose stresses are known to be sound.
+    void diverge(std::string why, std::int64_t failed_step) {
+        solver->restore(safe_state);
+        while (solver->steps() < failed_step - 1) {
+            if (!solver->step()) continue;
+            solver->restore(safe_state);
+            break;
+        }
         message = std::move(why);
-        if (next_safe_state > 0) solver->restore(safe_state);
         end_run(RunStatus::diverged);
+    }
+
+    void append_history(double time) {
+        const auto before = std::chrono::steady_clock::now();
+        const auto row = solver->history_row();
+        // A step that failed early left the row of the one before, one that diverged may have left no
+        // numbers.
+        const bool sound = row.front() == time &&
+                           std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); });
+        if (sound) recording->append(row);
+        history_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     }
 
     void step_once() {
@@ -119,18 +143,16 @@ struct Engine::Impl {
             next_safe_state = solver->steps() + steps_between_safe_states;
         }
         emit_due_frame();
+        const double time = solver->time();
+        const std::int64_t step = solver->steps();
         const auto divergence = solver->step();
-        const auto before = std::chrono::steady_clock::now();
-        history->append(solver->history_row());
-        history_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+        append_history(time);
         if (divergence) {
-            diverge(divergence->message);
-            return;
-        }
-        if (solver->finished()) {
+            diverge(divergence->message, step);
+        } else if (solver->finished()) {
             end_run(RunStatus::finished);
-        } else if (--steps_left <= 0 || solver->time() >= pause_at) {
-            status = RunStatus::paused;
+        } else if (--steps_left <= 0 || reached(pause_at)) {
+            state = RunStatus::paused;
             publish(true);
         } else if (snapshot_wanted.exchange(false)) {
             publish(false);
@@ -138,13 +160,15 @@ struct Engine::Impl {
     }
 
     void start(double until, std::int64_t steps) {
-        if (status == RunStatus::finished || status == RunStatus::diverged) {
+        if (state == RunStatus::finished || state == RunStatus::diverged) {
             say("the run has ended; reset it to run again");
             return;
         }
+        if (steps <= 0 || reached(until)) return;
         pause_at = until;
         steps_left = steps;
-        status = RunStatus::running;
+        state = RunStatus::running;
+        status = state;
     }
 
     void say(std::string text) {
@@ -160,6 +184,7 @@ struct Engine::Impl {
             if (command.key.starts_with("model.step.")) {
                 solver->set_step(changed.step);
                 scene = std::move(changed);
+                next_safe_state = solver->steps();  // steps from here on are not those of the copy
                 return;
             }
             auto fresh = make_solver(changed);
@@ -168,29 +193,39 @@ struct Engine::Impl {
             begin_run();
         } catch (const SceneError& error) {
             for (const std::string& line : error.messages()) say(line);
+        } catch (const std::exception& error) {
+            say(command.key + " = " + command.value + ": " + error.what());
         }
     }
 
     void obey(const Command& command) {
         constexpr double forever = std::numeric_limits<double>::infinity();
         constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
+        const bool counting = state == RunStatus::running && steps_left < no_limit;
         std::visit(Overloaded{[&](const command::Run& run) { start(run.until.value_or(forever), no_limit); },
-                              [&](const command::Steps& steps) { start(forever, steps.count); },
+                              [&](const command::Steps& steps) {
+                                  start(forever, steps.count + (counting ? steps_left : 0));
+                              },
                               [&](const command::Pause&) {
-                                  if (status == RunStatus::running) status = RunStatus::paused;
+                                  if (state == RunStatus::running) state = RunStatus::paused;
                                   publish(true);
                               },
                               [&](const command::Reset&) {
                                   solver = make_solver(scene);
                                   begin_run();
                               },
-                              [&](const command::Set& what) { set(what); }, [&](const command::Stop&) { stop = true; }},
+                              [&](const command::Set& what) { set(what); },
+                              [&](const command::Stop&) {
+                                  if (state == RunStatus::running) state = RunStatus::paused;
+                                  publish(true);
+                                  stop = true;
+                              }},
                    command);
     }
 
     /// Takes the next command, waiting for one when there is nothing to step.
     std::optional<Command> next_command() {
-        const bool running = status == RunStatus::running;
+        const bool running = state == RunStatus::running;
         if (running && !commands_waiting.load(std::memory_order_acquire)) return std::nullopt;
         std::unique_lock lock(mutex);
         if (!running && commands.empty()) {
@@ -213,17 +248,18 @@ struct Engine::Impl {
                     obey(*command);
                     if (stop) break;
                 }
-                if (!stop && status == RunStatus::running) step_once();
+                if (!stop && state == RunStatus::running) step_once();
             } catch (const std::exception& error) {
                 // A full disk in the recorder, memory that ran out: the run ends, the program goes on.
                 message = error.what();
                 options.on_frame = nullptr;
-                status = RunStatus::diverged;
+                state = RunStatus::diverged;
                 publish(true);
             }
         }
         const std::lock_guard lock(mutex);
-        idle = true;
+        commands.clear();
+        idle = ended = true;
         fell_idle.notify_all();
     }
 };
@@ -238,6 +274,7 @@ Engine::~Engine() {
 
 void Engine::post(Command command) {
     const std::lock_guard lock(impl_->mutex);
+    if (impl_->ended) return;
     impl_->commands.push_back(std::move(command));
     impl_->idle = false;
     impl_->commands_waiting.store(true, std::memory_order_release);

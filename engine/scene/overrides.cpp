@@ -46,6 +46,8 @@ std::string quoted(std::string_view text) {
 }
 
 bool is_bare_word(std::string_view text) {
+    // An expression, "= 2*shank"; what else it may hold is its own reader's to judge.
+    if (text.starts_with('=')) return text.find_first_of("\n\r") == std::string_view::npos;
     return text.find_first_of("\"'[]{}=,#\n\r\t\\") == std::string_view::npos;
 }
 
@@ -60,7 +62,7 @@ class Override {
             return fail("no value; write --set KEY=VALUE, e.g. --set model.step.courant=0.5");
         const auto key = text.substr(0, equals);
         value_ = text.substr(equals + 1);
-        const auto path = split(key);
+        auto path = split(key);
         for (const auto& part : path)
             if (part.empty())
                 return fail(fmt::format("'{}' is not a key; write e.g. model.step.courant", key));
@@ -71,6 +73,7 @@ class Override {
         if (fault && !is_bare_word(value_)) return fail(fault->second);
         if (value_.find_first_of("\n\r") != std::string_view::npos)
             return fail("the value has several lines");
+        if (path.size() == 2 && path[0] == "parameters" && !find_parameter(root, path)) return;
         set_in_table(root, path, "the scene");
         if (joined(path) == "model.step.fixed") forget(root, "courant");
         if (joined(path) == "model.step.courant") forget(root, "fixed");
@@ -81,6 +84,22 @@ class Override {
 
     void fail(std::string message) { faults_->error({.override_number = number()}, std::move(message)); }
     [[nodiscard]] int number() const { return static_cast<int>(number_); }
+
+    /// Leads to the `value` of a parameter that has a table. False, and told, when there is no such
+    /// parameter: a new one could have no effect.
+    bool find_parameter(toml::table& root, std::vector<std::string>& path) {
+        const auto* parameters = root["parameters"].as_table();
+        const auto* node = parameters ? parameters->get(path[1]) : nullptr;
+        if (!node) {
+            std::vector<std::string> names;
+            if (parameters)
+                for (const auto& [name, value] : *parameters) names.emplace_back(name.str());
+            fail(fmt::format("there is no parameter '{}'{}", path[1], suggest_name(path[1], names)));
+            return false;
+        }
+        if (node->is_table() && !value_.starts_with('{')) path.emplace_back("value");
+        return true;
+    }
 
     static void forget(toml::table& root, std::string_view key) {
         if (auto* step = root.at_path("model.step").as_table()) step->erase(key);

@@ -8,6 +8,7 @@
 
 #include "scene/input_limits.hpp"
 #include "scene/overrides.hpp"
+#include "scene/parameters.hpp"
 #include "scene/readers.hpp"
 
 namespace percuss {
@@ -37,7 +38,9 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::vec
     scene.file = name;
     scene.text = text;
     scene.overrides = overrides;
-    TableReader root(faults, tree, "the scene", "");
+    Parameters parameters(tree["parameters"].as_table(), faults);
+    TableReader root(faults, tree, "the scene", "", &parameters);
+    if (auto declared = root.table("parameters")) scene.parameters = parameters.all();
     for (const auto read : {read_header, read_model, read_materials, read_bodies, read_walls, read_contacts,
                             read_probes, read_recording, read_view, read_promises})
         read(root, scene);

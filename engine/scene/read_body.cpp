@@ -45,7 +45,32 @@ std::vector<std::string> edge_names(const Body& body) {
         for (const auto& name : block.edge_names)
             if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
                 names.push_back(name);
+    for (const auto& chain : body.chains) names.push_back(chain.name);
     return names;
+}
+
+void read_chains(TableReader& body, Body& result) {
+    auto reader = body.table("chains");
+    if (!reader) return;
+    const auto edges = edge_names(result);
+    std::vector<Chain> chains;
+    for (const auto& [key, value] : reader->node()) {
+        Chain chain{std::string(key.str()), reader->texts(key.str()).value_or(std::vector<std::string>{})};
+        if (!is_name(chain.name))
+            reader->error(key.str(), fmt::format("'{}' is not a name; use letters, digits, '_' and '-' only",
+                                                 chain.name));
+        if (std::find(edges.begin(), edges.end(), chain.name) != edges.end())
+            reader->error(key.str(),
+                          fmt::format("body '{}' has an edge '{}' already; give the chain a name of "
+                                      "its own",
+                                      result.name, chain.name));
+        if (chain.edges.empty() && value.is_array())
+            reader->error(key.str(), fmt::format("'{}' is empty; write {} = [\"left\", \"top\"]", chain.name,
+                                                 chain.name));
+        for (const auto& edge : chain.edges) check_edge(*reader, key.str(), result, edge);
+        chains.push_back(std::move(chain));
+    }
+    result.chains = std::move(chains);
 }
 
 void check_edge(TableReader& reader, std::string_view key, const Body& body, const std::string& edge) {
@@ -77,7 +102,8 @@ void read_bodies(TableReader& root, Scene& scene) {
         };
         body.velocity = pair("velocity");
         body.body_force = pair("body_force");
-        read_blocks(reader, body, cells);
+        read_blocks(reader, scene.geometry, body, cells);
+        read_chains(reader, body);
         read_boundary(reader, scene.geometry, body);
         reader.finish();
         scene.bodies.push_back(std::move(body));

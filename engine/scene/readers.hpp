@@ -24,11 +24,18 @@ void read_plasticity(TableReader& material_table, const Scene& scene, Material& 
 
 // Parts of [[body]].
 /// @param cells count of cells so far, raised by those of this body; an absurd sum is a fault.
-void read_blocks(TableReader& body, Body& result, double& cells);
+void read_blocks(TableReader& body, Geometry geometry, Body& result, double& cells);
+/// Shapes of the sides, `edges`, and `shift` of a block.
+void read_shape(TableReader& reader, Geometry geometry, Block& block);
+/// Cells along the sides, `divisions` and `grading`; needs the shape.
+void read_cells(TableReader& reader, Block& block);
+void read_chains(TableReader& body, Body& result);                       ///< chains; needs the blocks
 void read_boundary(TableReader& body, Geometry geometry, Body& result);  ///< constraint, prescribed, load
 
 /// Warns when the wave speed of a material is absurd in the declared units, and names the likely slip.
 void check_wave_speed(const Units& units, const Material& material, const Place& place, Faults& faults);
+
+inline constexpr std::array<std::string_view, 4> side_names{"bottom", "right", "top", "left"};
 
 /// Names of the elements of a list that has names.
 template <class List>

@@ -10,17 +10,13 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "scene/formula.hpp"
+#include "scene/place.hpp"
 #include "units.hpp"
 
 /// The typed scene: what a scene file says, checked, with defaults filled in. All numbers are in scene units.
 /// scenes/README.md documents each key; parse.hpp makes a Scene from text.
 namespace percuss {
-
-/// Where a value stands in the scene file (1-based), for messages. See describe_place in parse.hpp.
-struct Place {
-    int line = 0, column = 0;
-    int override_number = 0;  ///< n > 0: given by Scene::overrides[n - 1] instead of the file
-};
 
 enum class Geometry { axisymmetric, plane_strain, plane_stress };
 
@@ -86,7 +82,12 @@ struct Arc {
 struct Polyline {
     std::vector<Vec2> points;  ///< inner points, in the direction in which the edge is walked
 };
-using EdgeShape = std::variant<Straight, Arc, Polyline>;
+/// Coordinates by formulas: one as a function of the other, which runs evenly from corner to corner, or both
+/// as functions of s, which runs from 0 to 1. The formulas' ends are the corners.
+struct FormulaSide {
+    CoordinateFormulas of;
+};
+using EdgeShape = std::variant<Straight, Arc, Polyline, FormulaSide>;
 
 enum class CellPattern { quads, diagonal, crossed };  ///< quads; 2 triangles a cell; 4 triangles a cell
 
@@ -97,8 +98,19 @@ struct Block {
     std::array<EdgeShape, 4> shapes;      ///< bottom, right, top, left; polyline points in walking direction
     std::array<int, 2> divisions{1, 1};   ///< cells along bottom/top, cells along right/left
     std::array<double, 2> grading{1, 1};  ///< last / first cell length from corner 0 to 1, from corner 0 to 3
+    /// Where the cells end, from 0 to 1 along bottom/top and right/left; empty: by the grading.
+    std::array<std::vector<double>, 2> fractions;
+    /// Moves each node by formulas of its coordinates (r, z), of i and j (its column and row from 0), of R (r
+    /// at the right end of its row) and Z (z at the top end of its column); in plane scenes x, y, X, Y.
+    CoordinateFormulas shift;
     std::array<std::string, 4> edge_names;  ///< "" where the side is not named
     Place place;
+};
+
+/// An edge made of connected edges of the body.
+struct Chain {
+    std::string name;
+    std::vector<std::string> edges;
 };
 
 /// A value that may vary in time: constant, or linear between points and constant outside them.
@@ -139,6 +151,7 @@ struct Body {
     std::array<double, 2> velocity{0, 0};    ///< initial velocity
     std::array<double, 2> body_force{0, 0};  ///< acceleration by body forces, e.g. gravity [acceleration]
     std::vector<Block> blocks;
+    std::vector<Chain> chains;
     std::vector<Constraint> constraints;
     std::vector<PrescribedVelocity> prescribed;
     std::vector<EdgeLoad> loads;
@@ -226,9 +239,20 @@ struct Expectation {
     Place place;
 };
 
+/// A number by which a scene can be varied; other numbers are expressions of it.
+struct Parameter {
+    std::string name;
+    double value = 0;                            ///< in `unit`, which is a label only
+    std::optional<std::array<double, 2>> range;  ///< lowest and highest value allowed
+    std::string unit, description;
+    std::string expression;  ///< "= 2*shank" when it follows from other parameters, else ""
+    Place place;
+};
+
 struct Scene {
     std::string title;
     std::string description;
+    std::vector<Parameter> parameters;  ///< in the order of the file
     Units units;
     Geometry geometry = Geometry::axisymmetric;
     double thickness = 1;  ///< plane scenes only [length]

@@ -6,20 +6,26 @@
 
 #include <fmt/format.h>
 
+#include "scene/parameters.hpp"
+
 namespace percuss {
 namespace {
 
 constexpr std::string_view override_mark = "--set ";
 constexpr std::size_t most_tables = 10'000;
 
-Place place_of(const toml::source_region& region) {
-    Place place{static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
-    if (region.path && region.path->starts_with(override_mark)) {
-        const std::string_view digits = std::string_view(*region.path).substr(override_mark.size());
-        std::from_chars(digits.data(), digits.data() + digits.size(), place.override_number);
-    }
-    return place;
+/// The text of an expression, "= 2*shank"; nothing when the node is none.
+std::optional<std::string> expression_in(const toml::node& node) {
+    auto text = node.value_exact<std::string>();
+    return text && Parameters::is_expression(*text) ? text : std::nullopt;
 }
+
+/// ' ("= 2*shank")' behind the value of an expression.
+std::string quoted(const std::optional<std::string>& expression) {
+    return expression ? " (\"" + *expression + "\")" : "";
+}
+
+}  // namespace
 
 bool is_name(std::string_view text) {
     const auto good = [](char c) {
@@ -29,7 +35,14 @@ bool is_name(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), good);
 }
 
-}  // namespace
+Place place_of(const toml::source_region& region) {
+    Place place{static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+    if (region.path && region.path->starts_with(override_mark)) {
+        const std::string_view digits = std::string_view(*region.path).substr(override_mark.size());
+        std::from_chars(digits.data(), digits.data() + digits.size(), place.override_number);
+    }
+    return place;
+}
 
 Place place_of(const toml::node& node) { return place_of(node.source()); }
 
@@ -72,8 +85,13 @@ std::string Range::text() const {
     return text;
 }
 
-TableReader::TableReader(Faults& faults, const toml::table& table, std::string title, std::string path)
-    : faults_(&faults), table_(&table), title_(std::move(title)), path_(std::move(path)) {}
+TableReader::TableReader(Faults& faults, const toml::table& table, std::string title, std::string path,
+                         Parameters* parameters)
+    : faults_(&faults),
+      parameters_(parameters),
+      table_(&table),
+      title_(std::move(title)),
+      path_(std::move(path)) {}
 
 const toml::node* TableReader::find(std::string_view key) {
     known_.emplace(key);
@@ -86,38 +104,61 @@ const toml::node* TableReader::need(std::string_view key, std::string_view examp
     return node;
 }
 
-std::optional<double> TableReader::checked(const toml::node& node, const std::string& what,
-                                           const Range& range) {
-    std::string problem;
-    if (!node.is_number()) {
-        problem = fmt::format("{} is {}; it must be a number", what, type_name(node));
-    } else {
-        const double value = *node.value<double>();
-        if (!std::isfinite(value))
-            problem = fmt::format("{} is {}; it must be a finite number", what, value);
-        else if (!range.holds(value))
-            problem = fmt::format("{} is {}; it must be {}", what, value, range.text());
-        else
-            return value;
+std::optional<double> TableReader::number(const toml::node& node, const std::string& what,
+                                          const Range& range) {
+    const auto expression = expression_in(node);
+    if (!node.is_number() && !expression) {
+        faults_->error(place_of(node), fmt::format("{} is {}; it must be a number", what, type_name(node)));
+        return std::nullopt;
     }
-    faults_->error(place_of(node), problem);
+    const auto value =
+        expression ? parameters_->evaluate(*expression, place_of(node), what) : node.value<double>();
+    if (!value) return std::nullopt;
+    if (std::isfinite(*value) && range.holds(*value)) return value;
+    faults_->error(place_of(node), fmt::format("{} is {}{}; it must be {}", what, *value, quoted(expression),
+                                               std::isfinite(*value) ? range.text() : "a finite number"));
     return std::nullopt;
 }
 
 std::optional<double> TableReader::number(std::string_view key, const Range& range) {
     const auto* node = find(key);
-    return node ? checked(*node, fmt::format("'{}'", key), range) : std::nullopt;
+    return node ? number(*node, fmt::format("'{}'", key), range) : std::nullopt;
+}
+
+std::optional<std::int64_t> TableReader::whole(const toml::node& node, const std::string& what,
+                                               const Range& range) {
+    const auto expression = expression_in(node);
+    if (!node.is_integer() && !expression) {
+        const std::string found =
+            node.is_number() ? fmt::format("{:#}", *node.value<double>()) : type_name(node);
+        faults_->error(place_of(node), fmt::format("{} is {}; it must be an integer", what, found));
+        return std::nullopt;
+    }
+    const auto value = number(node, what, range);
+    if (!value) return std::nullopt;
+    // Rounding takes away what the arithmetic of the expression added, never what its writer left open.
+    if (std::abs(*value - std::round(*value)) <= 1e-9 && std::abs(*value) < 9e15)
+        return static_cast<std::int64_t>(std::round(*value));
+    faults_->error(place_of(node),
+                   fmt::format("{} is {}{}; it must be an integer: use round(), floor() or ceil()", what,
+                               *value, quoted(expression)));
+    return std::nullopt;
 }
 
 std::optional<std::int64_t> TableReader::whole(std::string_view key, const Range& range) {
     const auto* node = find(key);
+    return node ? whole(*node, fmt::format("'{}'", key), range) : std::nullopt;
+}
+
+std::optional<Formula> TableReader::formula(std::string_view key, const std::vector<std::string>& variables) {
+    const auto* node = find(key);
     if (!node) return std::nullopt;
-    if (!node->is_integer()) {
-        error(key, fmt::format("'{}' is {}; it must be an integer", key, type_name(*node)));
-        return std::nullopt;
-    }
-    if (!checked(*node, fmt::format("'{}'", key), range)) return std::nullopt;
-    return node->value<std::int64_t>();
+    const std::string what = fmt::format("'{}'", key);
+    if (const auto expression = expression_in(*node))
+        return parameters_->formula(*expression, place_of(*node), what, variables);
+    const auto value = number(*node, what, any_number);
+    if (!value) return std::nullopt;
+    return Formula{fmt::format("{}", *value), {}, place_of(*node)};
 }
 
 std::optional<bool> TableReader::flag(std::string_view key) {
@@ -174,7 +215,7 @@ std::optional<std::vector<double>> TableReader::checked_array(const toml::node& 
     }
     std::vector<double> values;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto value = checked((*array)[i], fmt::format("'{}[{}]'", what, i), range);
+        const auto value = number((*array)[i], fmt::format("'{}[{}]'", what, i), range);
         if (value) values.push_back(*value);
     }
     if (values.size() != count) return std::nullopt;
@@ -185,6 +226,13 @@ std::optional<std::vector<double>> TableReader::numbers(std::string_view key, st
                                                         const Range& range) {
     const auto* node = find(key);
     return node ? checked_array(*node, std::string(key), count, range) : std::nullopt;
+}
+
+std::optional<std::vector<double>> TableReader::list(std::string_view key, const Range& range) {
+    const auto* node = find(key);
+    if (!node) return std::nullopt;
+    const auto* array = node->as_array();
+    return checked_array(*node, std::string(key), array ? std::max<std::size_t>(array->size(), 1) : 1, range);
 }
 
 std::optional<std::vector<std::vector<double>>> TableReader::rows(std::string_view key, std::size_t width) {
@@ -217,7 +265,7 @@ std::optional<TimeFunction> TableReader::time_function(std::string_view key) {
 
 std::optional<TimeFunction> TableReader::time_function(const toml::node& node, const std::string& what) {
     if (!node.is_array()) {
-        const auto value = checked(node, "'" + what + "'", any_number);
+        const auto value = number(node, "'" + what + "'", any_number);
         if (!value) return std::nullopt;
         return TimeFunction{{{0.0, *value}}};
     }
@@ -241,8 +289,15 @@ std::optional<TableReader> TableReader::table(std::string_view key) {
     const auto* node = find(key);
     if (!node) return std::nullopt;
     const std::string path = child_path(key);
-    if (const auto* table = node->as_table()) return TableReader(*faults_, *table, "[" + path + "]", path);
+    if (const auto* table = node->as_table())
+        return TableReader(*faults_, *table, "[" + path + "]", path, parameters_);
     error(key, fmt::format("'{}' is {}; it must be a table [{}]", key, type_name(*node), path));
+    return std::nullopt;
+}
+
+std::optional<TableReader> TableReader::table(const toml::node& node, const std::string& what) {
+    if (const auto* table = node.as_table()) return TableReader(*faults_, *table, what, "", parameters_);
+    faults_->error(place_of(node), fmt::format("{} is {}; it must be a table", what, type_name(node)));
     return std::nullopt;
 }
 
@@ -263,7 +318,8 @@ std::vector<TableReader> TableReader::tables(std::string_view key) {
     for (const auto& element : *array) {
         const auto* table = element.as_table();
         const auto name = (*table)["name"].value_exact<std::string>();
-        readers.emplace_back(*faults_, *table, name ? heading + " '" + *name + "'" : heading, path);
+        readers.emplace_back(*faults_, *table, name ? heading + " '" + *name + "'" : heading, path,
+                             parameters_);
     }
     return readers;
 }

@@ -13,9 +13,12 @@
 
 #include "nearest_name.hpp"
 #include "scene/faults.hpp"
+#include "scene/formula.hpp"
 #include "scene/scene.hpp"
 
 namespace percuss {
+
+class Parameters;
 
 /// The numbers that a key accepts.
 struct Range {
@@ -31,17 +34,21 @@ inline const Range not_negative{.low = 0};
 
 /// Where a node of the tree stands: in the file, or in the override that it came from.
 [[nodiscard]] Place place_of(const toml::node& node);
+[[nodiscard]] Place place_of(const toml::source_region& region);
 
 /// Source path given to the tree of override number n (from 1), by which place_of knows it.
 [[nodiscard]] std::string override_source(std::size_t number);
 
-/// Reads typed values of one TOML table and reports faults with their places. It remembers each key that was
+/// Reads typed values of one TOML table, any number of which may be an expression of the scene's parameters,
+/// and reports faults with their places. It remembers each key that was
 /// asked for, so that finish() can report the keys that nobody reads.
 class TableReader {
   public:
     /// @param title how messages call the table: "[model]", "[[body]] 'rod'"
     /// @param path its dotted key, "" for the root
-    TableReader(Faults& faults, const toml::table& table, std::string title, std::string path);
+    /// @param parameters what expressions may use
+    TableReader(Faults& faults, const toml::table& table, std::string title, std::string path,
+                Parameters* parameters);
 
     [[nodiscard]] const toml::node* find(std::string_view key);
     /// As find; reports a missing key, quoting an example of it.
@@ -49,6 +56,10 @@ class TableReader {
 
     // Each returns nothing when the key is absent or its value is faulty (which is then reported).
     [[nodiscard]] std::optional<double> number(std::string_view key, const Range& range);
+    [[nodiscard]] std::optional<double> number(const toml::node& node, const std::string& what,
+                                               const Range& range);
+    [[nodiscard]] std::optional<std::int64_t> whole(const toml::node& node, const std::string& what,
+                                                    const Range& range);
     [[nodiscard]] std::optional<std::int64_t> whole(std::string_view key, const Range& range);
     [[nodiscard]] std::optional<bool> flag(std::string_view key);
     [[nodiscard]] std::optional<std::string> text(std::string_view key);
@@ -57,6 +68,11 @@ class TableReader {
     [[nodiscard]] std::optional<std::vector<std::string>> texts(std::string_view key);
     [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count,
                                                              const Range& range = any_number);
+    /// An array of at least one number.
+    [[nodiscard]] std::optional<std::vector<double>> list(std::string_view key, const Range& range);
+    /// A formula of the given variables, or a number.
+    [[nodiscard]] std::optional<Formula> formula(std::string_view key,
+                                                 const std::vector<std::string>& variables);
     /// Array of arrays of `width` numbers; any number of rows.
     [[nodiscard]] std::optional<std::vector<std::vector<double>>> rows(std::string_view key,
                                                                        std::size_t width);
@@ -64,6 +80,8 @@ class TableReader {
     [[nodiscard]] std::optional<TimeFunction> time_function(std::string_view key);
     [[nodiscard]] std::optional<TimeFunction> time_function(const toml::node& node, const std::string& what);
     [[nodiscard]] std::optional<TableReader> table(std::string_view key);
+    /// As table, for an element of an array. @param what how messages call it
+    [[nodiscard]] std::optional<TableReader> table(const toml::node& node, const std::string& what);
     /// The elements of [[key]]; empty when absent.
     [[nodiscard]] std::vector<TableReader> tables(std::string_view key);
 
@@ -94,7 +112,6 @@ class TableReader {
     [[nodiscard]] Faults& faults() { return *faults_; }
 
   private:
-    std::optional<double> checked(const toml::node& node, const std::string& what, const Range& range);
     std::optional<std::vector<std::vector<double>>> checked_rows(const toml::node& node,
                                                                  const std::string& what, std::size_t width);
     std::optional<std::vector<double>> checked_array(const toml::node& node, const std::string& what,
@@ -103,10 +120,14 @@ class TableReader {
     [[nodiscard]] std::string child_path(std::string_view key) const;
 
     Faults* faults_;
+    Parameters* parameters_;
     const toml::table* table_;
     std::string title_, path_;
     std::set<std::string, std::less<>> known_;
 };
+
+/// True for letters, digits, '_' and '-'.
+[[nodiscard]] bool is_name(std::string_view text);
 
 /// "a string", "an integer", ...
 [[nodiscard]] std::string type_name(const toml::node& node);

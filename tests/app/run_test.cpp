@@ -96,6 +96,17 @@ TEST_F(RunTest, TellsOfBrokenPromises) {
     EXPECT_EQ(run(strict).status, 3);
 }
 
+TEST_F(RunTest, JudgesPromisesOfASceneAsItIsWrittenOnly) {
+    const Outcome changed = run({"run", "scene.toml", "--out", "out", "--no-render", "--force", "--set",
+                                 "expect.steps={max=1}", "--set", "model.step.courant=0.5"});
+    EXPECT_EQ(changed.status, 0);
+    EXPECT_EQ(changed.out.find("promised"), std::string::npos);
+    EXPECT_EQ(run({"run", "scene.toml", "--out", "out", "--no-render", "--force", "--strict", "--set",
+                   "expect.steps={max=1}", "--set", "model.step.courant=0.5"})
+                  .status,
+              3);
+}
+
 TEST_F(RunTest, FailsWhereTheDiskFails) {
     write("file", "");
     const Outcome outcome = run({"run", "scene.toml", "--out", "file/out", "--no-render"});

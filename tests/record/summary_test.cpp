@@ -21,6 +21,9 @@ RunSetup rods() {
     scene.bodies[1].name = "rod";
     scene.contacts.resize(1);
     scene.contacts[0].name = "impact";
+    scene.parameters.resize(1);
+    scene.parameters[0].name = "shank";
+    scene.parameters[0].value = 4.2;
     scene.exact = {{"contact.impact.axial", "1D wave theory", {{0, 2}, {4, 2}}, 0.5, {}}};
     return setup;
 }
@@ -75,6 +78,7 @@ TEST(Summary, HoldsWhatARunIsJudgedBy) {
     const auto at = [&](const char* path) { return summary_value(summary, path).value_or(-999); };
     EXPECT_EQ(at("steps"), 1000);
     EXPECT_EQ(at("elements"), 750);
+    EXPECT_EQ(at("parameters.shank"), 4.2);
     EXPECT_DOUBLE_EQ(at("contact_share"), 0.04);
     EXPECT_DOUBLE_EQ(at("element_steps_per_second"), 375'000);
     EXPECT_EQ(at("wall_seconds.contact_solve"), 0.05);

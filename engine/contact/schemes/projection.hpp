@@ -8,13 +8,15 @@
 
 namespace percuss {
 
-/// The nodal projection of Anderheggen, Ekchian, Heiduschke & Bartelt (1993): at the predicted positions every master
-/// node that penetrates a slave side gets a force C_m normal to that side, its reaction shared by the side's nodes, so
-/// large that all penetrations vanish at the end of the step (dt^2 is dt * kick where the step changes):
+/// The nodal projection of Anderheggen, Ekchian, Heiduschke & Bartelt (1993): at the predicted positions
+/// every master node that penetrates a slave side gets a force C_m normal to that side, its reaction shared
+/// by the side's nodes, so large that all penetrations vanish at the end of the step (dt^2 is dt * kick where
+/// the step changes):
 ///     dt^2 (M_m^-1 + E^T M_s^-1 E) C_m = P            (6)
-/// Displacements and velocities are corrected by the accelerations due to C. No iteration, no damping, no stiffness.
-/// Conserves linear momentum exactly; takes the energy of the plastic stop of the contact nodes, never adds any.
-/// Restricted (the default): C >= 0 by active set. Unrestricted: C as the equations give it, as in the paper.
+/// Displacements and velocities are corrected by the accelerations due to C. No iteration, no damping, no
+/// stiffness. Conserves linear momentum exactly; takes the energy of the plastic stop of the contact nodes,
+/// never adds any. Restricted (the default): C >= 0 by active set. Unrestricted: C as the equations give it,
+/// as in the paper.
 class Projection final : public PairScheme {
   public:
     Projection(PenetrationSearch search, ContactSign sign, std::int32_t node_count);

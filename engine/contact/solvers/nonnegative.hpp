@@ -7,10 +7,11 @@
 
 namespace percuss {
 
-/// Forces C >= 0 that minimise 1/2 C A C - P C, A symmetric positive semidefinite: where a force is zero the gap A C - P is
-/// open or just closed. Block principal pivoting (Judice & Pires 1994, doi:10.1016/0305-0548(94)90106-6): all wrong signs
-/// change sides at once, and when their number stops falling, one at a time (Murty's rule), which always ends. Where rows
-/// depend on each other (held master nodes) and exclude each other as equations, projected Gauss-Seidel takes over.
+/// Forces C >= 0 that minimise 1/2 C A C - P C, A symmetric positive semidefinite: where a force is zero the
+/// gap A C - P is open or just closed. Block principal pivoting (Judice & Pires 1994,
+/// doi:10.1016/0305-0548(94)90106-6): all wrong signs change sides at once, and when their number stops
+/// falling, one at a time (Murty's rule), which always ends. Where rows depend on each other (held master
+/// nodes) and exclude each other as equations, projected Gauss-Seidel takes over.
 class NonnegativeSolver {
   public:
     /// @param active which rows to start from, one char each; changed. @param c the forces.

@@ -40,11 +40,8 @@ int ProfileCholesky::factorise(const ProfileMatrix& matrix, std::span<const char
         if (!active[static_cast<std::size_t>(i)]) continue;
         double* row = factor_.row(i);
         const std::int32_t first = factor_.first(i);
-        for (std::int32_t j = first; j < i; ++j) {  // row becomes L D
-            if (inverse_pivot[j] == 0) {
-                row[j] = 0;
-                continue;
-            }
+        for (std::int32_t j = first; j < i;
+             ++j) {  // row becomes L D; what stands in columns left out is lost below
             const double* above = factor_.row(j);
             double value = row[j];
             for (std::int32_t k = std::max(first, factor_.first(j)); k < j; ++k) value -= row[k] * above[k];
@@ -77,7 +74,8 @@ void ProfileCholesky::solve(std::span<double> x) const {
         const double* row = factor_.row(i);
         for (std::int32_t j = factor_.first(i); j < i; ++j) xi -= row[j] * x[static_cast<std::size_t>(j)];
     }
-    for (std::int32_t i = 0; i < n; ++i) x[static_cast<std::size_t>(i)] *= inverse_pivot_[static_cast<std::size_t>(i)];
+    for (std::int32_t i = 0; i < n; ++i)
+        x[static_cast<std::size_t>(i)] *= inverse_pivot_[static_cast<std::size_t>(i)];
     for (std::int32_t i = n - 1; i >= 0; --i) {
         if (!used(i)) continue;
         const double* row = factor_.row(i);

@@ -6,9 +6,9 @@
 
 namespace percuss {
 
-/// Symmetric matrix stored by rows from each row's first nonzero column to the diagonal (profile, or skyline). Rows of
-/// master nodes in chain order couple with near rows only, so the profile is the paper's narrow band; a closed chain adds
-/// one long row instead of a full matrix.
+/// Symmetric matrix stored by rows from each row's first nonzero column to the diagonal (profile, or
+/// skyline). Rows of master nodes in chain order couple with near rows only, so the profile is the paper's
+/// narrow band; a closed chain adds one long row instead of a full matrix.
 class ProfileMatrix {
   public:
     /// Empties the matrix and keeps its memory.
@@ -18,22 +18,30 @@ class ProfileMatrix {
     [[nodiscard]] std::int32_t rows() const { return static_cast<std::int32_t>(first_.size()); }
     [[nodiscard]] std::int32_t first(std::int32_t row) const { return first_[static_cast<std::size_t>(row)]; }
     /// Row k so that row(k)[column] is its entry, first(k) <= column <= k.
-    [[nodiscard]] double* row(std::int32_t k) { return values_.data() + origin_[static_cast<std::size_t>(k)]; }
-    [[nodiscard]] const double* row(std::int32_t k) const { return values_.data() + origin_[static_cast<std::size_t>(k)]; }
+    [[nodiscard]] double* row(std::int32_t k) {
+        return values_.data() + origin_[static_cast<std::size_t>(k)];
+    }
+    [[nodiscard]] const double* row(std::int32_t k) const {
+        return values_.data() + origin_[static_cast<std::size_t>(k)];
+    }
     /// Entry of the lower triangle, first(row) <= column <= row.
     [[nodiscard]] double& at(std::int32_t row_index, std::int32_t column) { return row(row_index)[column]; }
-    [[nodiscard]] double at(std::int32_t row_index, std::int32_t column) const { return row(row_index)[column]; }
+    [[nodiscard]] double at(std::int32_t row_index, std::int32_t column) const {
+        return row(row_index)[column];
+    }
     /// y = A x.
     void multiply(std::span<const double> x, std::span<double> y) const;
 
   private:
     std::vector<std::int32_t> first_;
-    std::vector<std::ptrdiff_t> origin_;  ///< index in values_ of each row's column 0, which need not be stored
+    std::vector<std::ptrdiff_t>
+        origin_;  ///< index in values_ of each row's column 0, which need not be stored
     std::vector<double> values_;
 };
 
-/// Factors A = L D L^T of the rows that are `active`; the others are left out as if they were not in the matrix.
-/// A row that depends on the rows before it (pivot at most 1e-12 of its diagonal) is left out too and gets the answer 0.
+/// Factors A = L D L^T of the rows that are `active`; the others are left out as if they were not in the
+/// matrix. A row that depends on the rows before it (pivot at most 1e-12 of its diagonal) is left out too and
+/// gets the answer 0.
 class ProfileCholesky {
   public:
     /// @returns number of dependent rows, not counting those whose diagonal is zero.
@@ -41,7 +49,9 @@ class ProfileCholesky {
     /// Solves in place; answers of rows left out are 0.
     void solve(std::span<double> right_hand_side) const;
     /// Whether a row was active and independent.
-    [[nodiscard]] bool used(std::int32_t row) const { return inverse_pivot_[static_cast<std::size_t>(row)] != 0; }
+    [[nodiscard]] bool used(std::int32_t row) const {
+        return inverse_pivot_[static_cast<std::size_t>(row)] != 0;
+    }
 
   private:
     ProfileMatrix factor_;

@@ -51,6 +51,22 @@ TEST(Scene, ReadsEveryKeyOfBodies) {
               (std::array<std::string, 4>{"bottom", "right", "top", "left"}));
 }
 
+TEST(Scene, ReadsEveryKeyOfParametersAndTurnedBlocks) {
+    const auto scene = every_key();
+    ASSERT_EQ(scene.parameters.size(), 2U);
+    EXPECT_EQ(scene.parameters[1].description, "d");
+    const auto& body = scene.bodies.at(1);
+    EXPECT_EQ(body.chains.at(0).edges, (std::vector<std::string>{"left", "top"}));
+    const auto& block = body.blocks.at(0);
+    EXPECT_DOUBLE_EQ(block.corners[1].y(), -2);
+    EXPECT_EQ(block.divisions, (std::array{2, 4}));
+    EXPECT_EQ(block.fractions[1].size(), 5U);
+    EXPECT_EQ(std::get<FormulaSide>(block.shapes[0]).of.by[1]->text, " -2 + 0.1*x*(1 - x)");
+    EXPECT_TRUE(std::get<FormulaSide>(block.shapes[3]).of.by[0]);
+    EXPECT_EQ(block.shift.by[0]->parameters.at(0).second, 0.1);
+    EXPECT_NO_THROW(check_mesh(scene, build_mesh(scene)));
+}
+
 TEST(Scene, ReadsEveryKeyOfContactsAndOutput) {
     const auto scene = every_key();
     ASSERT_EQ(scene.contacts.size(), 2U);

@@ -1,0 +1,81 @@
+#include <cmath>
+
+#include <benchmark/benchmark.h>
+
+#include "aligned.hpp"
+#include "contact/scheme.hpp"
+#include "mesh/build.hpp"
+#include "rods.hpp"
+
+namespace percuss::benchmarks {
+namespace {
+
+/// A pair of faces pressed into each other by a little, the way a step finds them; `nodes` master nodes.
+class PressedFaces {
+  public:
+    explicit PressedFaces(int nodes) : scene_(rods(nodes - 1)), mesh_(build_mesh(scene_)) {
+        const auto& striker = mesh_.bodies[0];
+        for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+            const bool moving = static_cast<std::int32_t>(n) < striker.node_end;
+            const double push = moving ? 1e-4 * (1 + 0.1 * std::sin(static_cast<double>(n))) : 0;
+            nodes_.push_back({{mesh_.nodes[n].x(), mesh_.nodes[n].y() + push}, {0, moving ? 10.0 : 0.0}});
+        }
+        start_ = nodes_;
+        inverse_mass_.assign(2 * nodes_.size(), 1e3);
+        impulse_.assign(2 * nodes_.size(), 0);
+        pair_ = make_contact_scheme(scene_.contacts[0], mesh_);
+        motion_ = {1e-5, 1e-5, nodes_.data(), inverse_mass_.data(), impulse_.data(), &touched_};
+    }
+
+    void find() { pair_->find(motion_); }
+    void resolve() {
+        pair_->resolve(motion_);
+        benchmark::DoNotOptimize(pair_->rows().data());
+    }
+    /// Puts the touched nodes back, so that the next step finds the same.
+    void put_back() {
+        for (const std::int32_t node : touched_) {
+            const auto n = static_cast<std::size_t>(node);
+            nodes_[n] = start_[n];
+            impulse_[2 * n] = impulse_[2 * n + 1] = 0;
+        }
+        touched_.clear();
+    }
+
+  private:
+    Scene scene_;
+    Mesh mesh_;
+    AlignedVector<Node> nodes_, start_;
+    std::vector<double> inverse_mass_, impulse_;
+    std::vector<std::int32_t> touched_;
+    std::unique_ptr<PairScheme> pair_;
+    PredictedMotion motion_;
+};
+
+void per_node(benchmark::State& state) {
+    const double visits = static_cast<double>(state.iterations()) * static_cast<double>(state.range(0));
+    state.counters["seconds_per_node"] =
+        benchmark::Counter(visits, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void contact_search(benchmark::State& state) {
+    PressedFaces faces(static_cast<int>(state.range(0)));
+    for (auto _ : state) faces.find();
+    per_node(state);
+}
+
+void contact_search_and_solve(benchmark::State& state) {
+    PressedFaces faces(static_cast<int>(state.range(0)));
+    for (auto _ : state) {
+        faces.find();
+        faces.resolve();
+        faces.put_back();
+    }
+    per_node(state);
+}
+
+BENCHMARK(contact_search)->Arg(6)->Arg(21)->Arg(101);
+BENCHMARK(contact_search_and_solve)->Arg(6)->Arg(21)->Arg(101);
+
+}  // namespace
+}  // namespace percuss::benchmarks

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstddef>
+
+namespace percuss::testing {
+
+/// Number of calls of operator new in this program so far, all threads together.
+[[nodiscard]] std::size_t allocations();
+
+}  // namespace percuss::testing
