@@ -17,6 +17,7 @@ RunSetup rods() {
     Scene& scene = setup.scene;
     scene.duration = 6;
     scene.bodies.resize(2);
+    setup.mesh.bodies.resize(2);
     scene.bodies[0].name = "striker";
     scene.bodies[1].name = "rod";
     scene.contacts.resize(1);

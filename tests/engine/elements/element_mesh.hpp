@@ -37,7 +37,7 @@ struct ElementMesh {
 
     explicit ElementMesh(const Options& o) {
         scene.geometry = o.geometry;
-        scene.materials.push_back({"m", o.density, o.young, o.poisson, o.viscosity, {}});
+        scene.materials.push_back({"m", o.density, o.young, o.poisson, o.viscosity, {}, {}});
         Body body;
         body.material = "m";
         body.element = o.kind;

@@ -11,9 +11,7 @@ namespace {
 
 constexpr double yield = 0.02;
 
-constexpr int divisions = 8;
-
-/// Power of the internal forces of a beam, 8 x 8 cells on [-2, 2] x [-1, 1], bent to a curvature by the volume-keeping field
+/// Power of the internal forces of a beam, 4 x 4 cells on [-2, 2] x [-1, 1], bent to a curvature by the volume-keeping field
 /// u = k x y, v = -k (x^2 + y^2) / 2, over the limit power of perfect plasticity, 2/sqrt(3) yield k' times the integral of |y|.
 double power_over_limit(ElementKind kind) {
     Scene scene;
@@ -25,16 +23,16 @@ double power_over_limit(ElementKind kind) {
     body.hourglass = 0;  // its stiffness knows no yield
     scene.bodies.push_back(body);
     Mesh mesh;
-    for (int j = 0; j <= divisions; ++j)
-        for (int i = 0; i <= divisions; ++i) mesh.nodes.emplace_back(-2 + 4.0 * i / divisions, -1 + 2.0 * j / divisions);
-    for (int j = 0; j < divisions; ++j)
-        for (int i = 0; i < divisions; ++i) {
-            const int below = (divisions + 1) * j + i, above = below + divisions + 1;
+    for (int j = 0; j <= 4; ++j)
+        for (int i = 0; i <= 4; ++i) mesh.nodes.emplace_back(-2 + i, -1 + 0.5 * j);
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) {
+            const int n = 5 * j + i;
             if (kind == ElementKind::triangle) {
-                mesh.cells.push_back({below, below + 1, above + 1, -1});
-                mesh.cells.push_back({below, above + 1, above, -1});
+                mesh.cells.push_back({n, n + 1, n + 6, -1});
+                mesh.cells.push_back({n, n + 6, n + 5, -1});
             } else {
-                mesh.cells.push_back({below, below + 1, above + 1, above});
+                mesh.cells.push_back({n, n + 1, n + 6, n + 5});
             }
         }
     MeshBody part;
@@ -70,15 +68,18 @@ double power_over_limit(ElementKind kind) {
 }
 
 TEST(PlasticLocking, QuadsBendAtTheirLimitLoad) {
-    for (const ElementKind kind : {ElementKind::quad_one_point, ElementKind::quad_mean_dilatation}) {
+    // One-point quads see the curvature at their centres only, where the field is exact. At the 2 x 2 points the bilinear
+    // cell adds a parasitic shear k (x - x_c) and keeps v_y at -k y_c: summing sqrt(2/3 e:e) over the points of cells of
+    // 1 x 0.5 at y_c = 0.25 and 0.75 gives 1.059 of the limit, an error that falls with the cell, unlike locking.
+    for (const auto& [kind, discrete] : {std::pair{ElementKind::quad_one_point, 1.0},
+                                         std::pair{ElementKind::quad_mean_dilatation, 1.059}}) {
         const double ratio = power_over_limit(kind);
         RecordProperty(name_of(kind), std::to_string(ratio));
-        EXPECT_NEAR(ratio, 1, 0.03) << name_of(kind);
+        EXPECT_NEAR(ratio, discrete, 0.03) << name_of(kind);  // elastic cores: outer strain is 50 times that at yield
     }
 }
 
 TEST(PlasticLocking, SingleTrianglesLock) {
-    RecordProperty(name_of(ElementKind::triangle), std::to_string(power_over_limit(ElementKind::triangle)));
     // Known, and why scenes with large plastic flow take quads or crossed triangles: the test sees locking when it is there.
     EXPECT_GT(power_over_limit(ElementKind::triangle), 2);
 }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/scene/small_scene.hpp"
-#include "mesh/body_volume.hpp"
+#include "engine/mesh/body_volume.hpp"
 #include "mesh/curve.hpp"
 #include "mesh/select.hpp"
 
@@ -56,7 +56,7 @@ TEST(FormulaSide, MakesTheVolumeOfAParaboloid) {
                              "[[0, 0], [1, 0], [2, 3], [0, 3]]");
     const auto mesh = mesh_of(text);
     // pi times the integral of (1 + z) from 0 to 3.
-    EXPECT_NEAR(body_volume(mesh, mesh.bodies[0], Geometry::axisymmetric, 1), 7.5 * std::numbers::pi, 1e-4);
+    EXPECT_NEAR(testing::body_volume(mesh, mesh.bodies[0], Geometry::axisymmetric, 1), 7.5 * std::numbers::pi, 1e-4);
 }
 
 TEST(SideLength, IsExactForLinesAndArcs) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/scene/small_scene.hpp"
-#include "mesh/body_volume.hpp"
+#include "engine/mesh/body_volume.hpp"
 #include "mesh/select.hpp"
 
 namespace percuss::testing {
@@ -32,7 +32,7 @@ const MeshBody& body_of(const Mesh& mesh, const std::string& name) {
 Vec2 at(const Mesh& mesh, std::int32_t node) { return mesh.nodes[static_cast<std::size_t>(node)]; }
 
 double mass(const Scene& scene, const Mesh& mesh, const MeshBody& body) {
-    return scene.materials.at(0).density * body_volume(mesh, body, scene.geometry, scene.thickness);
+    return scene.materials.at(0).density * testing::body_volume(mesh, body, scene.geometry, scene.thickness);
 }
 
 TEST(NailScene, HasTheCellsAndMassesOfTheCalibratedSetUp) {
