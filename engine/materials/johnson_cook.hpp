@@ -5,8 +5,9 @@
 
 namespace percuss::PERCUSS_ISA {
 
-/// Rate and temperature at the end of the step (implicit), see JohnsonCook. State: plastic strain, static yield stress,
-/// temperature. Above the reference rate the stress exceeds the static yield stress (overstress), and relaxes to it at rest.
+/// Rate and temperature at the end of the step (implicit), see JohnsonCook. State: plastic strain, static
+/// yield stress, temperature. Above the reference rate the stress exceeds the static yield stress
+/// (overstress), and relaxes to it at rest.
 struct JohnsonCookFlow {
     using Parameters = JohnsonCook;
     static constexpr int state_size = 3;
@@ -17,7 +18,8 @@ struct JohnsonCookFlow {
         double& temperature = state[2 * block_lanes];
         // Temperature per plastic work and present volume; mass per present volume is density / volume_ratio.
         const double heating =
-            law.heat_capacity ? law.heat_fraction * trial.volume_ratio / (trial.density * *law.heat_capacity) : 0;
+            law.heat_capacity ? law.heat_fraction * trial.volume_ratio / (trial.density * *law.heat_capacity)
+                              : 0;
         const auto temperature_after = [&](double x) {
             return temperature + heating * trial.work(x, trial.equivalent - trial.triple_shear * x);
         };
@@ -36,12 +38,12 @@ struct JohnsonCookFlow {
             (residual > 0 ? low : high) = x;
             if (high - low <= 2e-16 * high) break;
 
-            double slope = trial.triple_shear +
-                           law.hardening * law.exponent * std::pow(strain, law.exponent - 1) * rate * remaining;
+            double slope = trial.triple_shear + law.hardening * law.exponent *
+                                                    std::pow(strain, law.exponent - 1) * rate * remaining;
             if (over_rate > 1) slope += hardened * law.rate_factor / x * remaining;
             if (softening > 0 && softening < 1)
-                slope -= hardened * rate * law.softening_exponent * softening / (t - law.room_temperature) * heating *
-                         0.5 * (trial.old_along + trial.equivalent - 2 * trial.triple_shear * x);
+                slope -= hardened * rate * law.softening_exponent * softening / (t - law.room_temperature) *
+                         heating * 0.5 * (trial.old_along + trial.equivalent - 2 * trial.triple_shear * x);
             const double newton = x + residual / slope;
             x = newton > low && newton < high ? newton : 0.5 * (low + high);
         }

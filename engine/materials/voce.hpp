@@ -12,7 +12,8 @@ struct Voce {
     [[gnu::noinline]] static Flow flow(const Parameters& law, const Trial& trial, double* state) {
         double& plastic_strain = state[0];
         double& yield = state[block_lanes];
-        // q - 3 mu x - yield(x) falls and is convex in x, so Newton from x = 0 comes up to the root without passing it.
+        // q - 3 mu x - yield(x) falls and is convex in x, so Newton from x = 0 comes up to the root without
+        // passing it.
         double x = 0, after = yield;
         double left = law.saturation > 0 ? law.saturation * std::exp(-law.rate * plastic_strain) : 0;
         for (int iteration = 0; iteration < 50; ++iteration) {

@@ -26,7 +26,8 @@ void append_walls(const Scene& scene, Mesh& mesh) {
 }
 
 const Wall* find_wall(const Scene& scene, const std::string& name) {
-    const auto found = std::find_if(scene.walls.begin(), scene.walls.end(), [&](const Wall& w) { return w.name == name; });
+    const auto found =
+        std::find_if(scene.walls.begin(), scene.walls.end(), [&](const Wall& w) { return w.name == name; });
     return found == scene.walls.end() ? nullptr : &*found;
 }
 

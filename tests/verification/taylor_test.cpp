@@ -1,7 +1,7 @@
 // The copper Taylor bar: 32.4 mm long, 3.2 mm radius, 227 m/s, yield 400 + 100 ep MPa, to rest at 80 us.
-#include "verification/run.hpp"
-
 #include <algorithm>
+
+#include "verification/run.hpp"
 
 namespace percuss::testing {
 namespace {
@@ -24,7 +24,8 @@ Shape shape_of(const Solver& solver) {
     return shape;
 }
 
-/// The scene's bar with its face held axially, as the published computations have it, instead of a wall that lets go.
+/// The scene's bar with its face held axially, as the published computations have it, instead of a wall that
+/// lets go.
 Scene held_bar(int columns, const std::string& element) {
     std::string text = load_scene(PERCUSS_SOURCE_DIR "/scenes/taylor.toml").text;
     const auto cut = [&](const std::string& from, const std::string& to, const std::string& put) {
@@ -65,7 +66,8 @@ TEST(TaylorBar, HeatsByNineTenthsOfItsPlasticWork) {
     const Mesh& mesh = run.solver.setup()->mesh;
     double heat = 0;
     for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-        const auto share = corner_masses(mesh.cells[cell], mesh.nodes, scene.materials[0].density, Geometry::axisymmetric);
+        const auto share =
+            corner_masses(mesh.cells[cell], mesh.nodes, scene.materials[0].density, Geometry::axisymmetric);
         heat += run.solver.scale() * (share[0] + share[1] + share[2] + share[3]) * *copper.heat_capacity *
                 (snapshot->temperature[cell] - copper.initial_temperature);
     }

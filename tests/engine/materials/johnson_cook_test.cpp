@@ -11,8 +11,10 @@ constexpr OneElement::Options stiff{.geometry = Geometry::axisymmetric, .young =
 const JohnsonCook copper{0.09, 0.292, 0.31, 0.025, 1e-3, 1.09, 298, 1356, 298, 383, 0.9};
 
 double stress(const JohnsonCook& law, double strain, double rate, double temperature) {
-    const double homologous = (temperature - law.room_temperature) / (*law.melting_temperature - law.room_temperature);
-    return (law.yield + law.hardening * std::pow(strain, law.exponent)) * (1 + law.rate_factor * std::log(rate / law.reference_rate)) *
+    const double homologous =
+        (temperature - law.room_temperature) / (*law.melting_temperature - law.room_temperature);
+    return (law.yield + law.hardening * std::pow(strain, law.exponent)) *
+           (1 + law.rate_factor * std::log(rate / law.reference_rate)) *
            (1 - std::pow(std::max(homologous, 0.0), law.softening_exponent));
 }
 
@@ -23,8 +25,11 @@ double adiabatic_temperature(const JohnsonCook& law, double density, double stra
     double t = law.initial_temperature;
     for (int n = 0; n < steps; ++n) {
         const double e = n * h;
-        const auto slope = [&](double at, double temperature) { return factor * stress(law, at, rate, temperature); };
-        const double k1 = slope(e, t), k2 = slope(e + h / 2, t + h / 2 * k1), k3 = slope(e + h / 2, t + h / 2 * k2);
+        const auto slope = [&](double at, double temperature) {
+            return factor * stress(law, at, rate, temperature);
+        };
+        const double k1 = slope(e, t), k2 = slope(e + h / 2, t + h / 2 * k1),
+                     k3 = slope(e + h / 2, t + h / 2 * k2);
         t += h / 6 * (k1 + 2 * k2 + 2 * k3 + slope(e + h, t + h * k3));
     }
     return t;
@@ -32,7 +37,8 @@ double adiabatic_temperature(const JohnsonCook& law, double density, double stra
 
 OneElement stretched(const JohnsonCook& law, double strain, double rate, int steps) {
     OneElement element(law, stiff);
-    for (int n = 1; n <= steps; ++n) element.move_to(isochoric(Geometry::axisymmetric, strain * n / steps), strain / rate / steps);
+    for (int n = 1; n <= steps; ++n)
+        element.move_to(isochoric(Geometry::axisymmetric, strain * n / steps), strain / rate / steps);
     return element;
 }
 
@@ -41,9 +47,21 @@ TEST(JohnsonCook, HeatsAndSoftensAsItsDifferentialEquation) {
         const OneElement element = stretched(copper, 1, rate, 2000);
         const double temperature = adiabatic_temperature(copper, stiff.density, 1, rate);
         EXPECT_GT(temperature, 370);
-        EXPECT_NEAR(element.plastic().temperature, temperature, 2e-3 * (temperature - 298)) << "rate " << rate;
+        EXPECT_NEAR(element.plastic().temperature, temperature, 2e-3 * (temperature - 298))
+            << "rate " << rate;
         const double expected = stress(copper, 1, rate, temperature);
         EXPECT_NEAR(element.von_mises(), expected, 2e-3 * expected) << "rate " << rate;
+    }
+}
+
+TEST(JohnsonCook, StressIsThatOfStrainRateAndTemperatureAtTheEndOfEachStep) {
+    OneElement element(copper, stiff);
+    for (int n = 1; n <= 10; ++n) {
+        const double before = element.plastic().strain;
+        element.move_to(isochoric(Geometry::axisymmetric, 0.1 * n), 0.01);
+        const PlasticState now = element.plastic();
+        const double expected = stress(copper, now.strain, (now.strain - before) / 0.01, now.temperature);
+        EXPECT_NEAR(element.von_mises(), expected, 1e-10 * expected) << "step " << n;
     }
 }
 
@@ -57,7 +75,8 @@ TEST(JohnsonCook, HeatIsItsFractionOfThePlasticWork) {
 TEST(JohnsonCook, RateRaisesTheStressByItsLogarithm) {
     JohnsonCook cold = copper;
     cold.heat_capacity.reset();
-    const double slow = stretched(cold, 0.2, 1e-3, 400).von_mises(), fast = stretched(cold, 0.2, 1, 400).von_mises();
+    const double slow = stretched(cold, 0.2, 1e-3, 400).von_mises(),
+                 fast = stretched(cold, 0.2, 1, 400).von_mises();
     EXPECT_NEAR(fast / slow, 1 + 0.025 * std::log(1000.0), 2e-3);
     const double slower = stretched(cold, 0.2, 1e-6, 400).von_mises();
     EXPECT_NEAR(slower / slow, 1, 1e-3) << "below the reference rate the rate has no effect";

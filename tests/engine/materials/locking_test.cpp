@@ -1,7 +1,7 @@
 // Fully plastic bending: plastic flow keeps the volume, and elements must let it.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "elements/kernels.hpp"
 #include "engine/materials/one_element.hpp"
@@ -11,8 +11,9 @@ namespace {
 
 constexpr double yield = 0.02;
 
-/// Power of the internal forces of a beam, 4 x 4 cells on [-2, 2] x [-1, 1], bent to a curvature by the volume-keeping field
-/// u = k x y, v = -k (x^2 + y^2) / 2, over the limit power of perfect plasticity, 2/sqrt(3) yield k' times the integral of |y|.
+/// Power of the internal forces of a beam, 4 x 4 cells on [-2, 2] x [-1, 1], bent to a curvature by the
+/// volume-keeping field u = k x y, v = -k (x^2 + y^2) / 2, over the limit power of perfect plasticity,
+/// 2/sqrt(3) yield k' times the integral of |y|.
 double power_over_limit(ElementKind kind) {
     Scene scene;
     scene.geometry = Geometry::plane_strain;
@@ -40,7 +41,8 @@ double power_over_limit(ElementKind kind) {
     part.node_end = mesh.node_count();
     part.cell_end = mesh.cell_count();
     mesh.bodies.push_back(part);
-    Batch batch = make_batch(scene, mesh, 0, std::vector<std::array<bool, 2>>(mesh.nodes.size(), {false, false}));
+    Batch batch =
+        make_batch(scene, mesh, 0, std::vector<std::array<bool, 2>>(mesh.nodes.size(), {false, false}));
     AlignedVector<Node> nodes;
     for (const Vec2& x : mesh.nodes) nodes.push_back({{x.x(), x.y()}, {0, 0}});
     KernelSums sums;
@@ -59,8 +61,8 @@ double power_over_limit(ElementKind kind) {
     double power = 0;
     for (int element = 0; element < batch.count; ++element)
         for (int corner = 0; corner < batch.corners; ++corner) {
-            const auto at = static_cast<std::size_t>(((element / block_lanes) * batch.corners + corner) * block_lanes +
-                                                     element % block_lanes);
+            const auto at = static_cast<std::size_t>(
+                ((element / block_lanes) * batch.corners + corner) * block_lanes + element % block_lanes);
             const Node& node = nodes[static_cast<std::size_t>(batch.nodes[at])];
             power += batch.force[2 * at] * node.v[0] + batch.force[2 * at + 1] * node.v[1];
         }
@@ -68,19 +70,22 @@ double power_over_limit(ElementKind kind) {
 }
 
 TEST(PlasticLocking, QuadsBendAtTheirLimitLoad) {
-    // One-point quads see the curvature at their centres only, where the field is exact. At the 2 x 2 points the bilinear
-    // cell adds a parasitic shear k (x - x_c) and keeps v_y at -k y_c: summing sqrt(2/3 e:e) over the points of cells of
-    // 1 x 0.5 at y_c = 0.25 and 0.75 gives 1.059 of the limit, an error that falls with the cell, unlike locking.
-    for (const auto& [kind, discrete] : {std::pair{ElementKind::quad_one_point, 1.0},
-                                         std::pair{ElementKind::quad_mean_dilatation, 1.059}}) {
+    // One-point quads see the curvature at their centres only, where the field is exact. At the 2 x 2 points
+    // the bilinear cell adds a parasitic shear k (x - x_c) and keeps v_y at -k y_c: summing sqrt(2/3 e:e)
+    // over the points of cells of 1 x 0.5 at y_c = 0.25 and 0.75 gives 1.059 of the limit, an error that
+    // falls with the cell, unlike locking.
+    for (const auto& [kind, discrete] :
+         {std::pair{ElementKind::quad_one_point, 1.0}, std::pair{ElementKind::quad_mean_dilatation, 1.059}}) {
         const double ratio = power_over_limit(kind);
         RecordProperty(name_of(kind), std::to_string(ratio));
-        EXPECT_NEAR(ratio, discrete, 0.03) << name_of(kind);  // elastic cores: outer strain is 50 times that at yield
+        EXPECT_NEAR(ratio, discrete, 0.03)
+            << name_of(kind);  // elastic cores: outer strain is 50 times that at yield
     }
 }
 
 TEST(PlasticLocking, SingleTrianglesLock) {
-    // Known, and why scenes with large plastic flow take quads or crossed triangles: the test sees locking when it is there.
+    // Known, and why scenes with large plastic flow take quads or crossed triangles: the test sees locking
+    // when it is there.
     EXPECT_GT(power_over_limit(ElementKind::triangle), 2);
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <string>
+
+#include <Eigen/Dense>
 
 #include "elements/kernels.hpp"
 
@@ -75,8 +76,12 @@ struct OneElement {
         return sum;
     }
 
-    [[nodiscard]] std::array<double, 4> stress(int element = 0) const { return mean_stress(batch, nodes.data(), element); }
-    [[nodiscard]] PlasticState plastic(int element = 0) const { return plastic_state(batch, nodes.data(), element); }
+    [[nodiscard]] std::array<double, 4> stress(int element = 0) const {
+        return mean_stress(batch, nodes.data(), element);
+    }
+    [[nodiscard]] PlasticState plastic(int element = 0) const {
+        return plastic_state(batch, nodes.data(), element);
+    }
     [[nodiscard]] double von_mises(int element = 0) const {
         const auto s = stress(element);
         const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
@@ -89,12 +94,14 @@ struct OneElement {
     }
     [[nodiscard]] double elastic_energy() const {
         double sum = 0;
-        for (int element = 0; element < batch.count; ++element) sum += stored_energy(batch, nodes.data(), element);
+        for (int element = 0; element < batch.count; ++element)
+            sum += stored_energy(batch, nodes.data(), element);
         return sum;
     }
 };
 
-/// Isochoric stretch along the second direction: exp(strain) there; the other in-plane stretch keeps the volume.
+/// Isochoric stretch along the second direction: exp(strain) there; the other in-plane stretch keeps the
+/// volume.
 inline Eigen::Matrix2d isochoric(Geometry geometry, double strain) {
     const double lateral = geometry == Geometry::axisymmetric ? std::exp(-0.5 * strain) : std::exp(-strain);
     return Eigen::Vector2d(lateral, std::exp(strain)).asDiagonal();
@@ -108,11 +115,12 @@ inline double equivalent_strain(Geometry geometry, double strain) {
 inline Eigen::Matrix2d rotation(double angle) { return Eigen::Rotation2Dd(angle).toRotationMatrix(); }
 
 inline std::string name_of(ElementKind kind) {
-    return kind == ElementKind::triangle ? "triangle"
+    return kind == ElementKind::triangle               ? "triangle"
            : kind == ElementKind::quad_mean_dilatation ? "mean-dilatation quad"
                                                        : "one-point quad";
 }
-inline constexpr std::array all_kinds{ElementKind::quad_one_point, ElementKind::quad_mean_dilatation, ElementKind::triangle};
+inline constexpr std::array all_kinds{ElementKind::quad_one_point, ElementKind::quad_mean_dilatation,
+                                      ElementKind::triangle};
 inline constexpr std::array solid_geometries{Geometry::axisymmetric, Geometry::plane_strain};
 
 }  // namespace percuss::testing
