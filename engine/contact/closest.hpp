@@ -19,10 +19,12 @@ struct SideView {
     const double* i = nodes[side.i].x;
     const double* j = nodes[side.j].x;
     const double tx = j[0] - i[0], ty = j[1] - i[1];
-    const double square = tx * tx + ty * ty, inverse = 1 / std::sqrt(square);
+    // The root and the division do not wait for each other.
+    const double square = tx * tx + ty * ty, length = std::sqrt(square), inverse_square = 1 / square;
+    const double inverse = length * inverse_square;
     const double rx = x - i[0], ry = y - i[1];
     const double nx = ty * inverse, ny = -tx * inverse;
-    return {(rx * tx + ry * ty) * (inverse * inverse), rx * nx + ry * ny, nx, ny, square * inverse};
+    return {(rx * tx + ry * ty) * inverse_square, rx * nx + ry * ny, nx, ny, length};
 }
 
 /// Square of the distance from a point to the side itself, its ends included [length^2]. Divides only where
