@@ -212,6 +212,9 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
     snapshot->step = state_.step;
     snapshot->dt = state_.dt;
     snapshot->critical_step = state_.critical_step;
+    snapshot->position.reserve(2 * state_.nodes.size());
+    snapshot->velocity.reserve(2 * state_.nodes.size());
+    snapshot->stress.reserve(setup_->mesh.cells.size());
     for (const Node& node : state_.nodes) {
         snapshot->position.insert(snapshot->position.end(), {node.x[0], node.x[1]});
         snapshot->velocity.insert(snapshot->velocity.end(), {node.v[0], node.v[1]});
