@@ -73,7 +73,8 @@ Solver::Solver(Scene scene, int threads)
     evaluate_critical_step();
     statistics_.critical_step_initial = statistics_.critical_step_min = state_.critical_step;
     check_fixed_step(step_size_);
-    // Node by node: held and driven nodes do not have their body's velocity; nodes of walls belong to no body.
+    // Node by node: held and driven nodes do not have their body's velocity; nodes of walls belong to no
+    // body.
     for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
         const auto body = static_cast<std::size_t>(body_of_node_[n]);
         const double* v = state_.nodes[n].v;
@@ -200,6 +201,9 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
     snapshot->step = state_.step;
     snapshot->dt = state_.dt;
     snapshot->critical_step = state_.critical_step;
+    snapshot->position.reserve(2 * state_.nodes.size());
+    snapshot->velocity.reserve(2 * state_.nodes.size());
+    snapshot->stress.reserve(setup_->mesh.cells.size());
     for (const Node& node : state_.nodes) {
         snapshot->position.insert(snapshot->position.end(), {node.x[0], node.x[1]});
         snapshot->velocity.insert(snapshot->velocity.end(), {node.v[0], node.v[1]});

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 
 #include <fmt/format.h>
 
+#include "dynamics/double2.hpp"
 #include "solver.hpp"
 
 namespace percuss {
@@ -28,17 +28,6 @@ class PhaseTimer {
   private:
     Clock::time_point last_ = Clock::now();
 };
-
-/// The two components of a nodal vector, side by side in one register.
-using Double2 = double __attribute__((vector_size(16)));
-
-Double2 load_pair(const double* from) {
-    Double2 pair;
-    std::memcpy(&pair, from, sizeof(Double2));
-    return pair;
-}
-
-void store_pair(double* to, const Double2& pair) { std::memcpy(to, &pair, sizeof(Double2)); }
 
 std::pair<std::size_t, std::size_t> share_of(std::size_t count, int part, int parts) {
     const auto p = static_cast<std::size_t>(part), n = static_cast<std::size_t>(parts);
