@@ -45,8 +45,11 @@ std::vector<EffectInfo> effects_of(const Scene& scene) {
                        "about 30 flops a loaded side"});
     effects.push_back({"prescribed velocity", any_body([](const Body& b) { return !b.prescribed.empty(); }),
                        "about 20 flops a prescribed node; 16 bytes a node"});
-    effects.push_back({"contact: projection", !scene.contacts.empty(),
+    const bool joint = scene.contact_solver.scheme == ContactScheme::joint;
+    effects.push_back({"contact: projection, pair by pair", !scene.contacts.empty() && !joint,
                        "motion bound on each surface node; search, solve and correction of penetrating nodes only"});
+    effects.push_back({"contact: joint problem", !scene.contacts.empty() && joint,
+                       "motion bound on each surface node; search of near nodes; one factorisation of the rows in touch"});
     effects.push_back({"lagged stresses", scene.lagged, "a second copy of the node positions: 48 bytes a node"});
     effects.push_back({"probes", !scene.probes.empty(), "one stress or node reading a probe and step"});
     return effects;

@@ -49,10 +49,9 @@ Solver::Solver(Scene scene, int threads)
         batches_.push_back(make_batch(s, setup_->mesh, static_cast<std::int32_t>(body), imposed_.held));
     build_nodes();
     build_chunks();
-    for (const ContactPair& pair : s.contacts) {
-        pairs_.push_back({make_contact_scheme(pair, setup_->mesh), {}, {}, {}});
-        pairs_.back().flags.assign(setup_->mesh.nodes.size(), 0);
-    }
+    contact_ = make_contact_method(s, setup_->mesh);
+    pairs_.resize(s.contacts.size());
+    for (Pair& pair : pairs_) pair.flags.assign(setup_->mesh.nodes.size(), 0);
     if (!loads_.none()) external_.assign(2 * mass_.size(), 0);
     if (!imposed_.prescribed.empty()) {
         imposed_change_.assign(2 * mass_.size(), 0);
@@ -61,7 +60,10 @@ Solver::Solver(Scene scene, int threads)
             driven_[2 * static_cast<std::size_t>(p.node) + static_cast<std::size_t>(p.direction)] = p.acts;
         drive_.assign(s.bodies.size(), {0, 0});
     }
-    if (!pairs_.empty()) contact_impulse_.assign(2 * mass_.size(), 0);
+    if (!pairs_.empty()) {
+        contact_impulse_.assign(2 * mass_.size(), 0);
+        velocity_before_contact_.assign(2 * mass_.size(), 0);
+    }
     if (s.lagged) state_.lagged_nodes = state_.nodes;
     probe_values_.resize(probes_.size());
     probe_nodes_.resize(probes_.size());
@@ -135,8 +137,15 @@ void Solver::build_nodes() {
         for (std::size_t d = 0; d < 2; ++d) {
             inverse_mass_[2 * node + d] = imposed_.held[node][d] || mass_[node] == 0 ? 0 : 1 / mass_[node];
             if (imposed_.held[node][d]) state_.nodes[node].v[d] = 0;
+            if (inverse_mass_[2 * node + d] == 0) supports_.push_back(2 * node + d);
         }
     }
+    for (const auto& p : imposed_.prescribed)
+        supports_.push_back(2 * static_cast<std::size_t>(p.node) + static_cast<std::size_t>(p.direction));
+    std::sort(supports_.begin(), supports_.end());
+    supports_.erase(std::unique(supports_.begin(), supports_.end()), supports_.end());
+    // Radial forces on a ring cancel: they carry no momentum of the whole.
+    if (scene.geometry == Geometry::axisymmetric) std::erase_if(supports_, [](std::size_t k) { return k % 2 == 0; });
     for (const auto& p : imposed_.prescribed)
         if (p.acts)
             state_.nodes[static_cast<std::size_t>(p.node)].v[p.direction] =
@@ -226,7 +235,7 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         snapshot->pairs.push_back(pairs_[p].state);
         std::vector<ContactForce> slaves;
-        for (const ContactRow& row : pairs_[p].scheme->rows()) {
+        for (const ContactRow& row : contact_->rows(p)) {
             if (row.force == 0) continue;
             for (std::size_t k = 0; k < 3; ++k) {
                 const double force = scale_ * row.force * row.share[k];
@@ -363,9 +372,9 @@ void Solver::restore(const SolverState& state) {
     state_.element_state.clear();
     state_.corner_force.clear();
     state_.active.clear();
+    if (contact_) contact_->restart(state.active);
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
-        pair.scheme->forget();
         pair.state = {};
         pair.active = state.active[p];
         std::fill(pair.flags.begin(), pair.flags.end(), char{0});

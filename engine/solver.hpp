@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/scheme.hpp"
+#include "contact/contact_method.hpp"
 #include "dynamics/ledger.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/team.hpp"
@@ -87,9 +87,8 @@ class Solver {
     struct ElementChunk {
         std::int32_t batch, begin, end;  // blocks
     };
-    /// A pair's scheme and what is counted about it.
+    /// What is counted about a pair.
     struct Pair {
-        std::unique_ptr<PairScheme> scheme;
         PairState state;
         std::vector<std::int32_t> active;  // master indices with force in the last step
         std::vector<char> flags;  // per master index: 1 had force in the last step, 2 has it in this one
@@ -114,8 +113,9 @@ class Solver {
     void integrate_elements(const Node* nodes);
     void evaluate_critical_step();
     void start_half_step_early();
+    void account_external_impulse();
     double account_contacts(NodeSums& sums);
-    void count_events(Pair& pair, PairStatistics& statistics) const;
+    void count_events(std::size_t pair);
     void fill_history_row();
     void add_plastic_fields(Snapshot& snapshot) const;
     [[nodiscard]] std::vector<BodyEnergies> body_energies() const;
@@ -148,15 +148,18 @@ class Solver {
     std::vector<double> internal_, external_;  // 2 per node; external_ only when the scene has loads
     std::vector<std::int32_t> corner_begin_;   // per node: its range in corners_
     std::vector<const double*> corners_;       // pairs (fx, fy) among the batches' corner forces
+    std::vector<std::size_t> supports_;        // 2 node + direction of velocities that may be imposed, and of walls
     ImposedMotion imposed_;
     // Of prescribed motion; empty when there is none.
     std::vector<double> imposed_change_;        // 2 per node: change of velocity in this step
     std::vector<char> driven_;                  // 2 per node: whether a prescribed motion acts
     std::vector<std::array<double, 2>> drive_;  // per body: force of what drives it [force]
     Loads loads_;
+    std::unique_ptr<ContactMethod> contact_;  // null without pairs
     std::vector<Pair> pairs_;
     std::vector<double> contact_impulse_;  // 2 per node, zero but during a step
     std::vector<std::int32_t> touched_;
+    std::vector<double> velocity_before_contact_;  // 2 per node, of the touched ones
     std::vector<ProbeReading> probes_;
     std::vector<double> probe_values_;
     std::vector<Node> probe_nodes_;

@@ -3,31 +3,16 @@
 // corrects positions and velocities before stresses are evaluated, so stresses never see a penetration, and
 // energy never grows.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "dynamics/double2.hpp"
+#include "run/phase_timer.hpp"
 #include "solver.hpp"
 
 namespace percuss {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Books the time since the last call under one phase.
-class PhaseTimer {
-  public:
-    void book(double& seconds) {
-        const auto now = Clock::now();
-        seconds += std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-    }
-
-  private:
-    Clock::time_point last_ = Clock::now();
-};
 
 bool is_prescribed(const Body& body, std::size_t direction) {
     return std::any_of(body.prescribed.begin(), body.prescribed.end(), [&](const PrescribedVelocity& p) {
@@ -169,6 +154,8 @@ void Solver::start_half_step_early() {
         for (std::size_t d = 0; d < 2; ++d) {
             double& v = state_.nodes[n].v[d];
             v -= 0.5 * kick_ * inverse_mass_[2 * n + d] * external_[2 * n + d];
+            if (inverse_mass_[2 * n + d] > 0)
+                statistics_.external_impulse[d] -= scale_ * 0.5 * kick_ * external_[2 * n + d];
             ledger.initial_kinetic += 0.5 * mass_[n] * v * v;
         }
     }
@@ -279,17 +266,10 @@ void Solver::stresses_at_predicted_positions() {
 }
 
 void Solver::resolve_contacts() {
-    if (pairs_.empty()) return;
-    PhaseTimer timer;
+    if (!contact_) return;
     PredictedMotion motion{
         state_.dt, kick_, state_.nodes.data(), inverse_mass_.data(), contact_impulse_.data(), &touched_};
-    // Pair by pair: a later pair sees what the earlier ones corrected.
-    for (Pair& pair : pairs_) {
-        pair.scheme->find(motion);
-        timer.book(statistics_.seconds.contact_search);
-        pair.scheme->resolve(motion);
-        timer.book(statistics_.seconds.contact_solve);
-    }
+    contact_->resolve(motion, statistics_);
 }
 
 std::array<double, 2> Solver::velocity_before(std::int32_t node) const {
@@ -304,20 +284,47 @@ std::array<double, 2> Solver::velocity_before(std::int32_t node) const {
     return before;
 }
 
+/// What changes the momentum of all bodies together: loads, and the reactions that impose velocities or hold
+/// walls. A reaction is what the node's mass takes beyond its internal, external and contact forces.
+void Solver::account_external_impulse() {
+    std::array<double, 2> impulse{0, 0};
+    double gross = 0;
+    for (const std::size_t k : supports_) {
+        if (inverse_mass_[k] != 0) continue;  // a prescribed motion that does not act now
+        double reaction = kick_ * internal_[k];
+        if (!contact_impulse_.empty()) reaction -= contact_impulse_[k];
+        if (!imposed_change_.empty()) reaction += mass_[k / 2] * imposed_change_[k];
+        if (!external_.empty()) reaction -= kick_ * external_[k];
+        impulse[k % 2] += reaction;
+        gross += std::abs(reaction);
+    }
+    for (std::size_t k = 0; k < external_.size(); ++k) {
+        impulse[k % 2] += kick_ * external_[k];
+        gross += std::abs(kick_ * external_[k]);
+    }
+    for (std::size_t d = 0; d < 2; ++d) statistics_.external_impulse[d] += scale_ * impulse[d];
+    statistics_.external_impulse_gross += scale_ * gross;
+}
+
 /// Contact's share of the sums, once all pairs have corrected. @returns work of contact forces before t_n;
 /// the work after it goes to the ledger.
 double Solver::account_contacts(NodeSums& sums) {
     Ledger& ledger = state_.ledger;
+    for (const std::int32_t node : touched_) {
+        const auto before = velocity_before(node);
+        for (std::size_t d = 0; d < 2; ++d)
+            velocity_before_contact_[2 * static_cast<std::size_t>(node) + d] = before[d];
+    }
     double work_before = 0;
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
         PairStatistics& statistics = statistics_.pairs[p];
         pair.state = {};
-        for (const ContactRow& row : pair.scheme->rows()) {
+        for (const ContactRow& row : contact_->rows(p)) {
             if (row.force == 0) continue;
             double rate_before = 0, rate_after = 0;
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto before = velocity_before(row.node[k]);
+                const double* before = &velocity_before_contact_[2 * static_cast<std::size_t>(row.node[k])];
                 const double* after = state_.nodes[static_cast<std::size_t>(row.node[k])].v;
                 rate_before += row.share[k] * (row.normal[0] * before[0] + row.normal[1] * before[1]);
                 rate_after += row.share[k] * (row.normal[0] * after[0] + row.normal[1] * after[1]);
@@ -330,21 +337,21 @@ double Solver::account_contacts(NodeSums& sums) {
             ++pair.state.active;
         }
         if (pair.state.active > 0) {
-            pair.state.penetration = std::max(0.0, pair.scheme->penetration_left(state_.nodes.data()));
+            pair.state.penetration = std::max(0.0, contact_->penetration(p, state_.nodes.data()));
             statistics.max_penetration = std::max(statistics.max_penetration, pair.state.penetration);
             statistics.peak_force =
                 std::max(statistics.peak_force, std::hypot(pair.state.force[0], pair.state.force[1]));
             for (std::size_t d = 0; d < 2; ++d) statistics.impulse[d] += kick_ * pair.state.force[d];
-            statistics.negative_forces += pair.scheme->negative_forces();
+            statistics.negative_forces += contact_->negative_forces(p);
         }
-        count_events(pair, statistics);
+        count_events(p);
     }
 
     // Changes of velocity by contact, on the sums that the prediction made without it.
     for (const std::int32_t node : touched_) {
         const auto n = static_cast<std::size_t>(node);
         if (contact_impulse_[2 * n] == 0 && contact_impulse_[2 * n + 1] == 0) continue;  // seen already
-        const auto before = velocity_before(node);
+        const double* before = &velocity_before_contact_[2 * n];
         for (std::size_t d = 0; d < 2; ++d) {
             const std::size_t k = 2 * n + d;
             const double impulse = contact_impulse_[k], change = inverse_mass_[k] * impulse;
@@ -367,12 +374,15 @@ double Solver::account_contacts(NodeSums& sums) {
     return work_before;
 }
 
-void Solver::count_events(Pair& pair, PairStatistics& statistics) const {
+void Solver::count_events(std::size_t index) {
+    Pair& pair = pairs_[index];
+    PairStatistics& statistics = statistics_.pairs[index];
+    const std::span<const ContactRow> rows = contact_->rows(index);
     const bool was_active = !pair.active.empty();
-    for (const ContactRow& row : pair.scheme->rows()) {
+    for (const ContactRow& row : rows) {
         if (row.force == 0) continue;
         char& flag = pair.flags[static_cast<std::size_t>(row.master)];
-        if ((flag & 1) == 0) ++statistics.closings;
+        if (flag == 0) ++statistics.closings;  // a node may have several rows
         flag = static_cast<char>(flag | 2);
     }
     for (const std::int32_t master : pair.active) {
@@ -381,9 +391,10 @@ void Solver::count_events(Pair& pair, PairStatistics& statistics) const {
         flag = static_cast<char>(flag & 2);
     }
     pair.active.clear();
-    for (const ContactRow& row : pair.scheme->rows()) {
-        if (row.force == 0) continue;
-        pair.flags[static_cast<std::size_t>(row.master)] = 1;
+    for (const ContactRow& row : rows) {
+        char& flag = pair.flags[static_cast<std::size_t>(row.master)];
+        if (row.force == 0 || flag == 1) continue;
+        flag = 1;
         pair.active.push_back(row.master);
     }
     if (was_active != !pair.active.empty()) ++statistics.events;
@@ -392,7 +403,9 @@ void Solver::count_events(Pair& pair, PairStatistics& statistics) const {
 std::optional<Divergence> Solver::close_ledger() {
     Ledger& ledger = state_.ledger;
     const double contact = ledger.contact;
+    if (!supports_.empty() || !external_.empty()) account_external_impulse();
     const double contact_before = pairs_.empty() ? 0 : account_contacts(sums_);
+    statistics_.contact_energy_in += scale_ * std::max(0.0, ledger.contact - contact);
 
     const double half = 0.5 * kick_;
     const double internal = ledger.internal + half * sums_.internal_before;

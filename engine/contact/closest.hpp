@@ -15,9 +15,7 @@ struct SideView {
     double length;  ///< of the side [length]
 };
 
-[[nodiscard]] inline SideView view_from_side(const Node* nodes, const Side& side, double x, double y) {
-    const double* i = nodes[side.i].x;
-    const double* j = nodes[side.j].x;
+[[nodiscard]] inline SideView view_of_segment(const double* i, const double* j, double x, double y) {
     const double tx = j[0] - i[0], ty = j[1] - i[1];
     // The root and the division do not wait for each other.
     const double square = tx * tx + ty * ty, length = std::sqrt(square), inverse_square = 1 / square;
@@ -25,6 +23,10 @@ struct SideView {
     const double rx = x - i[0], ry = y - i[1];
     const double nx = ty * inverse, ny = -tx * inverse;
     return {(rx * tx + ry * ty) * inverse_square, rx * nx + ry * ny, nx, ny, length};
+}
+
+[[nodiscard]] inline SideView view_from_side(const Node* nodes, const Side& side, double x, double y) {
+    return view_of_segment(nodes[side.i].x, nodes[side.j].x, x, y);
 }
 
 /// Square of the distance from a point to the side itself, its ends included [length^2]. Divides only where

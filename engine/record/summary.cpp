@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "record/summary_history.hpp"
 #include "run/fields.hpp"
 #include "run/force_error.hpp"
 
@@ -45,6 +46,7 @@ Json energy(const RunStatistics& statistics, const Energies& last) {
             {"viscous", last.viscous},
             {"plastic", last.plastic},
             {"contact", last.contact},
+            {"contact_in", statistics.contact_energy_in},
             {"external", last.external},
             {"balance", last.balance()}};
 }
@@ -52,11 +54,13 @@ Json energy(const RunStatistics& statistics, const Energies& last) {
 Json momentum(const RunStatistics& statistics, const Names& names, Geometry geometry) {
     const auto& [before, after] = std::pair(statistics.momentum_initial, statistics.momentum_final);
     // Radial components of a ring cancel: they carry no momentum of the whole.
-    double change = std::abs(after[1] - before[1]);
-    if (geometry != Geometry::axisymmetric) change = std::max(change, std::abs(after[0] - before[0]));
+    const std::array<double, 2>& impulse = statistics.external_impulse;
+    const auto missing = [&](std::size_t d) { return std::abs(after[d] - before[d] - impulse[d]); };
+    const double change = geometry == Geometry::axisymmetric ? missing(1) : std::max(missing(0), missing(1));
     Json result{{"initial", by_direction(names, before)},
                 {"final", by_direction(names, after)},
-                {"error", ratio(change, statistics.momentum_scale)}};
+                {"external_impulse", by_direction(names, impulse)},
+                {"error", ratio(change, statistics.momentum_scale + statistics.external_impulse_gross)}};
     if (geometry != Geometry::axisymmetric) {
         result["angular_initial"] = statistics.angular_momentum_initial;
         result["angular_final"] = statistics.angular_momentum_final;
@@ -64,7 +68,8 @@ Json momentum(const RunStatistics& statistics, const Names& names, Geometry geom
     return result;
 }
 
-Json contacts(const Scene& scene, const RunStatistics& statistics, const Names& names) {
+Json contacts(const Scene& scene, const RunStatistics& statistics, const History& history,
+              const Names& names) {
     Json result = Json::object();
     for (std::size_t p = 0; p < std::min(scene.contacts.size(), statistics.pairs.size()); ++p) {
         const PairStatistics& pair = statistics.pairs[p];
@@ -73,8 +78,22 @@ Json contacts(const Scene& scene, const RunStatistics& statistics, const Names& 
             {"open_close_events", pair.events},        {"node_openings", pair.openings},
             {"node_closings", pair.closings},          {"negative_forces", pair.negative_forces},
             {"max_penetration", pair.max_penetration}, {"work", pair.work}};
+        result[scene.contacts[p].name].update(contact_history(history, scene.contacts[p].name, names));
     }
     return result;
+}
+
+Json contact_solver(const Scene& scene, const RunStatistics& statistics) {
+    const ContactSolverStatistics& s = statistics.contact_solver;
+    const auto problems = static_cast<double>(s.problems);
+    if (scene.contact_solver.scheme == ContactScheme::projection) return {{"scheme", "projection"}};
+    return {{"scheme", "joint"},
+            {"problems", s.problems},
+            {"rows_mean", ratio(static_cast<double>(s.rows), problems)},
+            {"rows_max", s.most_rows},
+            {"iterations_mean", ratio(static_cast<double>(s.iterations), problems)},
+            {"iterations_max", s.most_iterations},
+            {"fallbacks", s.fallbacks}};
 }
 
 /// Smallest and largest coordinate of a body's nodes.
@@ -99,14 +118,15 @@ Json parameters(const Scene& scene) {
     return result;
 }
 
-Json bodies(const RunSetup& setup, const RunStatistics& statistics, const Snapshot& last,
-            const Names& names) {
+Json bodies(const RunSetup& setup, const RunStatistics& statistics, const History& history,
+            const Snapshot& last, const Names& names) {
     const Scene& scene = setup.scene;
     Json result = Json::object();
     for (std::size_t b = 0; b < std::min(scene.bodies.size(), last.bodies.size()); ++b) {
         Json& body = result[scene.bodies[b].name];
         body = {{"velocity", by_direction(names, last.bodies[b].velocity)},
                 {"extent", extent(setup.mesh, last, b, names)}};
+        body.update(body_history(history, scene.bodies[b].name, names));
         if (b < statistics.bodies.size()) {
             const BodyEnergies& e = statistics.bodies[b];
             body["energy"] = {{"kinetic", e.kinetic},
@@ -192,8 +212,9 @@ nlohmann::ordered_json make_summary(const RunSetup& setup, const RunStatistics& 
     summary["critical_step_min"] = statistics.critical_step_min;
     summary["energy"] = energy(statistics, last.energy);
     summary["momentum"] = momentum(statistics, names, scene.geometry);
-    summary["contact"] = contacts(scene, statistics, names);
-    summary["body"] = bodies(setup, statistics, last, names);
+    if (!scene.contacts.empty()) summary["contact_solver"] = contact_solver(scene, statistics);
+    summary["contact"] = contacts(scene, statistics, history, names);
+    summary["body"] = bodies(setup, statistics, history, last, names);
     summary["exact"] = exact_answers(scene, history);
     summary["state_hash"] = statistics.state_hash;
     summary["units"] = unit_labels(scene.units);

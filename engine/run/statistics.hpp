@@ -28,6 +28,16 @@ struct PairStatistics {
     double work = 0;                       ///< work done on the bodies by this pair's forces [energy]
 };
 
+/// What the solver of the joint contact problem did.
+struct ContactSolverStatistics {
+    std::int64_t problems = 0;    ///< connected groups of rows solved
+    std::int64_t iterations = 0;  ///< factorisations for them
+    std::int64_t fallbacks = 0;   ///< of them, how many ended in projected Gauss-Seidel
+    std::int64_t rows = 0;        ///< in all of them
+    int most_iterations = 0;      ///< for one of them
+    std::int32_t most_rows = 0;   ///< in one of them
+};
+
 /// Where a body's energy went, [energy] as in Energies.
 struct BodyEnergies {
     double kinetic = 0;  ///< at the last velocities, half a step before the end
@@ -50,8 +60,12 @@ struct RunStatistics {
     double elastic_energy_error = 0;  ///< |ledger's strain energy - the elements' own stored energy| / initial energy
     std::array<double, 2> momentum_initial{0, 0}, momentum_final{0, 0};
     double momentum_scale = 0;  ///< sum of m |v| at the start, what momentum errors are divided by
+    std::array<double, 2> external_impulse{0, 0};  ///< of loads, supports, prescribed motion and walls on the bodies
+    double external_impulse_gross = 0;             ///< sum of its parts' magnitudes
     double angular_momentum_initial = 0, angular_momentum_final = 0;  ///< plane scenes only
     std::vector<PairStatistics> pairs;
+    ContactSolverStatistics contact_solver;
+    double contact_energy_in = 0;  ///< sum of the works of all contact forces in those steps where it is positive [energy]
     std::vector<BodyEnergies> bodies;  ///< in the order of scene.bodies; empty while the run goes on
     std::string state_hash;  ///< FNV-1a 64 of positions, velocities and element states, 16 hex digits
     int threads = 1;

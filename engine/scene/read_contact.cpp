@@ -34,9 +34,10 @@ std::optional<SurfaceName> read_surface(TableReader& reader, std::string_view ke
     const auto* body = find_body(scene, surface.body);
     if (!body && is_wall(scene, surface.body)) {
         if (key == "slave" && dot == std::string::npos) return surface;
-        reader.error(key, key == "slave"
-                              ? fmt::format("wall '{}' has no edges; write slave = \"{}\"", surface.body, surface.body)
-                              : fmt::format("'{}' is a wall; walls can only be slaves, swap the two", surface.body));
+        reader.error(
+            key, key == "slave"
+                     ? fmt::format("wall '{}' has no edges; write slave = \"{}\"", surface.body, surface.body)
+                     : fmt::format("'{}' is a wall; walls can only be slaves, swap the two", surface.body));
         return std::nullopt;
     }
     if (!body) {
@@ -62,24 +63,45 @@ void check_self_contact(TableReader& reader, const ContactPair& pair, bool decla
                      "contact of a body with itself needs two different edges; name them as BODY.EDGE");
 }
 
+void read_contact_solver(TableReader& root, Scene& scene) {
+    scene.contact_solver.recovery_speed = 1 / scene.units.si(Quantity::velocity);  // 1 m/s
+    auto reader = root.table("contact_solver");
+    if (!reader) return;
+    ContactSolver& solver = scene.contact_solver;
+    solver.scheme = reader
+                        ->choice<ContactScheme>(
+                            "scheme", "contact scheme",
+                            {{"projection", ContactScheme::projection}, {"joint", ContactScheme::joint}})
+                        .value_or(ContactScheme::projection);
+    if (const auto speed = reader->number("recovery_speed", positive)) {
+        solver.recovery_speed = *speed;
+        if (solver.scheme != ContactScheme::joint)
+            reader->error(
+                "recovery_speed",
+                "'recovery_speed' belongs to scheme = \"joint\"; leave it out or choose that scheme");
+    }
+    reader->finish();
+}
+
 }  // namespace
 
 void read_contacts(TableReader& root, Scene& scene) {
+    read_contact_solver(root, scene);
     for (auto& reader : root.tables("contact")) {
         ContactPair pair;
         pair.place = reader.place();
         pair.name = read_unique_name(reader, scene.contacts, "name = \"impact\"");
         const auto master = read_surface(reader, "master", scene);
         const auto slave = read_surface(reader, "slave", scene);
-        pair.scheme = reader
-                          .choice<ContactScheme>("scheme", "contact scheme",
-                                                 {{"projection", ContactScheme::projection}})
-                          .value_or(ContactScheme::projection);
         pair.sign = reader
                         .choice<ContactSign>("sign", "sign",
                                              {{"restricted", ContactSign::restricted},
                                               {"unrestricted", ContactSign::unrestricted}})
                         .value_or(ContactSign::restricted);
+        if (pair.sign == ContactSign::unrestricted && scene.contact_solver.scheme == ContactScheme::joint)
+            reader.error("sign",
+                         "the joint scheme knows no tension; leave 'sign' out, or choose scheme = "
+                         "\"projection\" in [contact_solver]");
         const bool self = reader.flag("self").value_or(false);
         if (master) pair.master = *master;
         if (slave) pair.slave = *slave;

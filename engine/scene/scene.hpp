@@ -180,7 +180,10 @@ struct SurfaceName {
     Place place;
 };
 
-enum class ContactScheme { projection };  ///< the paper's nodal projection; more will come
+enum class ContactScheme {
+    projection,  ///< the paper's nodal projection, pair by pair in the order of the scene
+    joint,       ///< one nonnegative problem for all pairs that share nodes
+};
 enum class ContactSign {
     restricted,    ///< no tensile contact force: C >= 0
     unrestricted,  ///< the paper's equations as they stand; negative C are counted
@@ -189,9 +192,14 @@ enum class ContactSign {
 struct ContactPair {
     std::string name;
     SurfaceName master, slave;
-    ContactScheme scheme = ContactScheme::projection;
     ContactSign sign = ContactSign::restricted;
     Place place;
+};
+
+/// How the contact pairs are solved, all of them alike.
+struct ContactSolver {
+    ContactScheme scheme = ContactScheme::projection;
+    double recovery_speed = 1;  ///< joint: a penetration is taken back no faster than this [velocity]
 };
 
 struct Probe {
@@ -271,6 +279,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Body> bodies;
     std::vector<Wall> walls;
+    ContactSolver contact_solver;
     std::vector<ContactPair> contacts;
     std::vector<Probe> probes;
     Recording record;

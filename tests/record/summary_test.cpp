@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -113,6 +114,52 @@ TEST(Summary, CountsBothDirectionsOfPlaneMomentum) {
     EXPECT_DOUBLE_EQ(summary_value(summary, "momentum.error").value_or(-1), 0.3);
     EXPECT_EQ(summary_value(summary, "body.rod.velocity.y"), 5.02);
     EXPECT_TRUE(summary["momentum"].contains("angular_final"));
+}
+
+// The impulse of supports and loads is no error; it counts among what the error is measured by.
+TEST(Summary, MomentumErrorLeavesOutWhatCameFromOutside) {
+    RunStatistics s = statistics();
+    s.external_impulse = {0, 0.25};
+    s.external_impulse_gross = 2.5;
+    const auto summary = make_summary(rods(), s, *doubled_pulse(), last());
+    EXPECT_DOUBLE_EQ(summary_value(summary, "momentum.error").value_or(-1), 0.25 / 12.5);
+    EXPECT_EQ(summary_value(summary, "momentum.external_impulse.axial"), 0.25);
+}
+
+TEST(Summary, TellsWhatTheJointSolverDid) {
+    RunSetup setup = rods();
+    setup.scene.contact_solver.scheme = ContactScheme::joint;
+    RunStatistics s = statistics();
+    s.contact_solver = {10, 12, 1, 50, 3, 20};
+    s.contact_energy_in = 0.002;
+    const auto summary = make_summary(setup, s, *doubled_pulse(), last());
+    EXPECT_EQ(summary["contact_solver"]["scheme"], "joint");
+    EXPECT_DOUBLE_EQ(summary_value(summary, "contact_solver.iterations_mean").value_or(-1), 1.2);
+    EXPECT_EQ(summary_value(summary, "contact_solver.iterations_max"), 3);
+    EXPECT_DOUBLE_EQ(summary_value(summary, "contact_solver.rows_mean").value_or(-1), 5);
+    EXPECT_EQ(summary_value(summary, "contact_solver.fallbacks"), 1);
+    EXPECT_EQ(summary_value(summary, "energy.contact_in"), 0.002);
+}
+
+TEST(Summary, FindsPeaksTouchesAndStopsInTheHistories) {
+    History history({{"time", Quantity::time},
+                     {"contact.impact.axial", Quantity::force},
+                     {"contact.impact.active", Quantity::dimensionless},
+                     {"body.striker.velocity.axial", Quantity::velocity},
+                     {"body.rod.velocity.axial", Quantity::velocity}});
+    for (const auto& row : {std::array{0.0, 0.0, 0.0, 10.0, 0.0}, std::array{1.0, 3.0, 2.0, 6.0, 2.0},
+                            std::array{2.0, -7.0, 1.0, 2.0, 4.0}, std::array{3.0, 0.0, 0.0, -2.0, 5.0}})
+        history.append(row);
+    const auto summary = make_summary(rods(), statistics(), history, last());
+    const auto at = [&](const char* path) { return summary_value(summary, path); };
+    EXPECT_EQ(at("contact.impact.peak.axial.value"), -7);
+    EXPECT_EQ(at("contact.impact.peak.axial.time"), 2);
+    EXPECT_EQ(at("contact.impact.first_touch"), 1);
+    EXPECT_EQ(at("contact.impact.last_touch"), 2);
+    EXPECT_EQ(at("body.striker.stops.axial"), 2.5);
+    EXPECT_EQ(at("body.striker.velocity_min.axial"), -2);
+    EXPECT_EQ(at("body.striker.velocity_max.axial"), 10);
+    EXPECT_EQ(at("body.rod.stops.axial"), std::nullopt) << "it did not move at the start";
 }
 
 TEST(Summary, KeepsBodiesAndTheirEnergiesApart) {

@@ -13,8 +13,8 @@ Projection::Projection(PenetrationSearch search, ContactSign sign, std::int32_t 
     const std::size_t most = search_.master().nodes.size();
     rows_.reserve(most);
     assembly_.reserve(most);
-    matrix_.reserve(most);
-    cholesky_.reserve(most);
+    matrix_.reserve(most, 4 * most);
+    cholesky_.reserve(most, 4 * most);
     penetration_.reserve(most);
     force_.reserve(most);
     active_.reserve(most);

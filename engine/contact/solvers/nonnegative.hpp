@@ -16,13 +16,24 @@ class NonnegativeSolver {
   public:
     /// @param active which rows to start from, one char each; changed. @param c the forces.
     /// @returns number of factorisations.
-    int solve(const ProfileMatrix& a, std::span<const double> p, std::span<char> active, std::span<double> c);
+    int solve(const ProfileMatrix& a, std::span<const double> p, std::span<char> active,
+              std::span<double> c) {
+        return solve(a, p, active, c, 0, a.rows());
+    }
+    /// The same for the diagonal block of rows begin to end, which no other row couples with.
+    int solve(const ProfileMatrix& a, std::span<const double> p, std::span<char> active, std::span<double> c,
+              std::int32_t begin, std::int32_t end);
+    /// Whether the last solve ended in projected Gauss-Seidel.
+    [[nodiscard]] bool relaxed() const { return relaxed_; }
+    void reserve(std::size_t rows, std::size_t entries);
 
   private:
-    void relax(const ProfileMatrix& a, std::span<const double> p, std::span<double> c);
+    void relax(const ProfileMatrix& a, std::span<const double> p, std::span<double> c, std::int32_t begin,
+               std::int32_t end);
 
     ProfileCholesky cholesky_;
     std::vector<double> gap_;
+    bool relaxed_ = false;
 };
 
 }  // namespace percuss

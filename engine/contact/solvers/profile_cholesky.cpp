@@ -9,9 +9,9 @@ void ProfileMatrix::clear() {
     values_.clear();
 }
 
-void ProfileMatrix::multiply(std::span<const double> x, std::span<double> y) const {
-    std::fill(y.begin(), y.end(), 0.0);
-    for (std::int32_t k = 0; k < rows(); ++k) {
+void ProfileMatrix::multiply(std::span<const double> x, std::span<double> y, std::int32_t begin,
+                             std::int32_t end) const {
+    for (std::int32_t k = begin; k < end; ++k) {
         const double* entry = row(k);
         const double xk = x[static_cast<std::size_t>(k)];
         double sum = entry[k] * xk;
@@ -19,32 +19,42 @@ void ProfileMatrix::multiply(std::span<const double> x, std::span<double> y) con
             sum += entry[column] * x[static_cast<std::size_t>(column)];
             y[static_cast<std::size_t>(column)] += entry[column] * xk;
         }
-        y[static_cast<std::size_t>(k)] += sum;
+        y[static_cast<std::size_t>(k)] = sum;
     }
 }
 
-int ProfileCholesky::factorise(const ProfileMatrix& matrix, std::span<const char> active) {
-    factor_ = matrix;
-    inverse_pivot_.assign(active.size(), 0);
+int ProfileCholesky::factorise(const ProfileMatrix& matrix, std::span<const char> active, std::int32_t begin,
+                               std::int32_t end) {
+    shape_ = &matrix;
+    begin_ = begin;
+    end_ = end;
+    const std::span<const double> entries = matrix.values();
+    factor_.resize(entries.size());
+    inverse_pivot_.resize(active.size());
+    if (begin == end) return 0;
+    const std::ptrdiff_t from = matrix.index(begin, matrix.first(begin)),
+                         to = matrix.index(end - 1, end - 1) + 1;
+    std::copy(entries.begin() + from, entries.begin() + to, factor_.begin() + from);
+    std::fill(inverse_pivot_.begin() + begin, inverse_pivot_.begin() + end, 0.0);
     const double* inverse_pivot = inverse_pivot_.data();
     int dependent = 0;
-    for (std::int32_t i = 0; i < factor_.rows(); ++i) {
+    for (std::int32_t i = begin; i < end; ++i) {
         if (!active[static_cast<std::size_t>(i)]) continue;
-        double* row = factor_.row(i);
-        const std::int32_t first = factor_.first(i);
+        double* entry = row(i);
+        const std::int32_t first = matrix.first(i);
         for (std::int32_t j = first; j < i;
              ++j) {  // row becomes L D; what stands in columns left out is lost below
-            const double* above = factor_.row(j);
-            double value = row[j];
-            for (std::int32_t k = std::max(first, factor_.first(j)); k < j; ++k) value -= row[k] * above[k];
-            row[j] = value;
+            const double* above = row(j);
+            double value = entry[j];
+            for (std::int32_t k = std::max(first, matrix.first(j)); k < j; ++k) value -= entry[k] * above[k];
+            entry[j] = value;
         }
-        const double diagonal = row[i];
+        const double diagonal = entry[i];
         double pivot = diagonal;
         for (std::int32_t j = first; j < i; ++j) {  // row becomes L
-            const double value = row[j] * inverse_pivot[j];
-            pivot -= value * row[j];
-            row[j] = value;
+            const double value = entry[j] * inverse_pivot[j];
+            pivot -= value * entry[j];
+            entry[j] = value;
         }
         if (pivot > 1e-12 * diagonal) {
             inverse_pivot_[static_cast<std::size_t>(i)] = 1 / pivot;
@@ -56,23 +66,22 @@ int ProfileCholesky::factorise(const ProfileMatrix& matrix, std::span<const char
 }
 
 void ProfileCholesky::solve(std::span<double> x) const {
-    const std::int32_t n = factor_.rows();
-    for (std::int32_t i = 0; i < n; ++i) {
+    for (std::int32_t i = begin_; i < end_; ++i) {
         double& xi = x[static_cast<std::size_t>(i)];
         if (!used(i)) {
             xi = 0;
             continue;
         }
-        const double* row = factor_.row(i);
-        for (std::int32_t j = factor_.first(i); j < i; ++j) xi -= row[j] * x[static_cast<std::size_t>(j)];
+        const double* entry = row(i);
+        for (std::int32_t j = shape_->first(i); j < i; ++j) xi -= entry[j] * x[static_cast<std::size_t>(j)];
     }
-    for (std::int32_t i = 0; i < n; ++i)
+    for (std::int32_t i = begin_; i < end_; ++i)
         x[static_cast<std::size_t>(i)] *= inverse_pivot_[static_cast<std::size_t>(i)];
-    for (std::int32_t i = n - 1; i >= 0; --i) {
+    for (std::int32_t i = end_ - 1; i >= begin_; --i) {
         if (!used(i)) continue;
-        const double* row = factor_.row(i);
+        const double* entry = row(i);
         const double xi = x[static_cast<std::size_t>(i)];
-        for (std::int32_t j = factor_.first(i); j < i; ++j) x[static_cast<std::size_t>(j)] -= row[j] * xi;
+        for (std::int32_t j = shape_->first(i); j < i; ++j) x[static_cast<std::size_t>(j)] -= entry[j] * xi;
     }
 }
 

@@ -13,10 +13,10 @@ class ProfileMatrix {
   public:
     /// Empties the matrix and keeps its memory.
     void clear();
-    /// Room for so many rows of the band that a chain of master nodes makes.
-    void reserve(std::size_t rows) {
+    /// Room for so many rows and entries; a chain of master nodes makes a band of 4 entries a row.
+    void reserve(std::size_t rows, std::size_t entries) {
         rows_.reserve(rows);
-        values_.reserve(4 * rows);
+        values_.reserve(entries);
     }
     /// Appends row k = rows() with zeros from column `first` <= k to the diagonal.
     void append_row(std::int32_t first) {
@@ -41,7 +41,15 @@ class ProfileMatrix {
         return row(row_index)[column];
     }
     /// y = A x.
-    void multiply(std::span<const double> x, std::span<double> y) const;
+    void multiply(std::span<const double> x, std::span<double> y) const { multiply(x, y, 0, rows()); }
+    /// The same for the diagonal block of rows begin to end, which no other row couples with; other y stay.
+    void multiply(std::span<const double> x, std::span<double> y, std::int32_t begin, std::int32_t end) const;
+    /// Where an entry of the lower triangle stands among values().
+    [[nodiscard]] std::int32_t index(std::int32_t row_index, std::int32_t column) const {
+        return rows_[static_cast<std::size_t>(row_index)].origin + column;
+    }
+    [[nodiscard]] std::span<double> values() { return values_; }
+    [[nodiscard]] std::span<const double> values() const { return values_; }
 
   private:
     struct Row {
@@ -57,13 +65,20 @@ class ProfileMatrix {
 /// gets the answer 0.
 class ProfileCholesky {
   public:
-    void reserve(std::size_t rows) {
-        factor_.reserve(rows);
+    /// Room for so many rows and entries of a matrix.
+    void reserve(std::size_t rows, std::size_t entries) {
+        factor_.reserve(entries);
         inverse_pivot_.reserve(rows);
     }
+    /// @param matrix must stay as it is until the last solve.
     /// @returns number of dependent rows, not counting those whose diagonal is zero.
-    int factorise(const ProfileMatrix& matrix, std::span<const char> active);
-    /// Solves in place; answers of rows left out are 0.
+    int factorise(const ProfileMatrix& matrix, std::span<const char> active) {
+        return factorise(matrix, active, 0, matrix.rows());
+    }
+    /// The same for the diagonal block of rows begin to end, which no other row couples with.
+    int factorise(const ProfileMatrix& matrix, std::span<const char> active, std::int32_t begin,
+                  std::int32_t end);
+    /// Solves the block that was factorised in place; answers of its rows left out are 0.
     void solve(std::span<double> right_hand_side) const;
     /// Whether a row was active and independent.
     [[nodiscard]] bool used(std::int32_t row) const {
@@ -71,7 +86,12 @@ class ProfileCholesky {
     }
 
   private:
-    ProfileMatrix factor_;
+    [[nodiscard]] double* row(std::int32_t k) { return factor_.data() + shape_->index(k, 0); }
+    [[nodiscard]] const double* row(std::int32_t k) const { return factor_.data() + shape_->index(k, 0); }
+
+    const ProfileMatrix* shape_ = nullptr;
+    std::int32_t begin_ = 0, end_ = 0;
+    std::vector<double> factor_;         ///< in the places of the matrix
     std::vector<double> inverse_pivot_;  ///< 0 where the row is left out
 };
 

@@ -107,6 +107,16 @@ INSTANTIATE_TEST_SUITE_P(
                "37:8: 'self' is true, but master and slave are different bodies; leave it out"},
         Broken{slave, slave + "\nsign = \"free\"",
                "37:8: unknown sign 'free'; valid: restricted, unrestricted"},
+        Broken{"[view]", "[contact_solver]\nscheme = \"jiont\"\n[view]",
+               "43:10: unknown contact scheme 'jiont'; did you mean 'joint'?"},
+        Broken{"[view]", "[contact_solver]\nrecovery_speed = 1\n[view]",
+               "43:18: 'recovery_speed' belongs to scheme = \"joint\"; leave it out or choose that scheme"},
+        Broken{"[view]", "[contact_solver]\nscheme = \"joint\"\nrecovery_speed = 0\n[view]",
+               "44:18: 'recovery_speed' is 0; it must be > 0"},
+        Broken{
+            "[[contact]]", "[contact_solver]\nscheme = \"joint\"\n[[contact]]\nsign = \"unrestricted\"",
+            "36:8: the joint scheme knows no tension; leave 'sign' out, or choose scheme = \"projection\" in "
+            "[contact_solver]"},
         Broken{"edge = \"top\"", "edge = \"bottom\"",
                "31:8: body 'rod' has no edge 'bottom'; valid: face, right, top, left"},
         Broken{fixed, "fixed = [\"x\"]", "32:9: unknown direction 'x'; valid: radial, axial"},

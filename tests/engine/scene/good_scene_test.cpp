@@ -73,6 +73,7 @@ TEST(Scene, ReadsEveryKeyOfContactsAndOutput) {
     EXPECT_EQ(scene.contacts[0].slave.body, "b");
     EXPECT_EQ(scene.contacts[0].slave.edge, "top");
     EXPECT_EQ(scene.contacts[0].sign, ContactSign::unrestricted);
+    EXPECT_EQ(scene.contact_solver.scheme, ContactScheme::projection);
     EXPECT_EQ(scene.probes.at(0).at, Vec2(0.5, -1.5));
     EXPECT_EQ(scene.probes[0].record.size(), 2U);
     EXPECT_EQ(scene.record.history_every, 2);
@@ -120,6 +121,16 @@ TEST(SceneDocument, ExplainsEveryKeyOfTheSceneThatNamesThemAll) {
     for (std::sregex_iterator match(text.begin(), text.end(), key), end; match != end; ++match, ++keys)
         EXPECT_NE(document.str().find("`" + (*match)[2].str() + "`"), std::string::npos) << (*match)[2];
     EXPECT_GT(keys, 90);
+}
+
+TEST(Scene, JointContactRecoversAtOneMetreASecondInAnyUnits) {
+    const auto joint = changed(small_scene, "[view]", "[contact_solver]\nscheme = \"joint\"\n[view]");
+    EXPECT_EQ(parse_scene(joint, "scene.toml").contact_solver.scheme, ContactScheme::joint);
+    EXPECT_DOUBLE_EQ(parse_scene(joint, "scene.toml").contact_solver.recovery_speed, 1) << "mm/ms";
+    const auto in_seconds = changed(joint, "time = \"ms\"", "time = \"s\"");
+    EXPECT_DOUBLE_EQ(parse_scene(in_seconds, "scene.toml").contact_solver.recovery_speed, 1000) << "mm/s";
+    const auto slow = changed(joint, "scheme = \"joint\"", "scheme = \"joint\"\nrecovery_speed = 0.5");
+    EXPECT_EQ(parse_scene(slow, "scene.toml").contact_solver.recovery_speed, 0.5);
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+#include "contact/contact_method.hpp"
+
+#include "contact/joint/joint_contact.hpp"
+#include "contact/pair_by_pair.hpp"
+
+namespace percuss {
+
+std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Mesh& mesh) {
+    if (scene.contacts.empty()) return nullptr;
+    if (scene.contact_solver.scheme == ContactScheme::joint)
+        return std::make_unique<JointContact>(scene, mesh);
+    return std::make_unique<PairByPair>(scene, mesh);
+}
+
+}  // namespace percuss

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/predicted_motion.hpp"
+#include "contact/row.hpp"
+#include "run/statistics.hpp"
+#include "scene/scene.hpp"
+
+namespace percuss {
+
+/// How the pairs of a scene are kept from penetrating: chosen once, when the scene loads.
+class ContactMethod {
+  public:
+    virtual ~ContactMethod() = default;
+    /// Finds the contact rows of all pairs, solves for the contact forces and corrects displacements and
+    /// velocities. Books the seconds of search and solution, and what the solver did.
+    virtual void resolve(PredictedMotion& motion, RunStatistics& statistics) = 0;
+    /// The rows of a pair in this step with their forces, for resultants, work and pictures.
+    [[nodiscard]] virtual std::span<const ContactRow> rows(std::size_t pair) const = 0;
+    /// Largest penetration of a pair that the step has seen [length].
+    [[nodiscard]] virtual double penetration(std::size_t pair, const Node* nodes) const = 0;
+    /// Rows of a pair whose unrestricted force came out negative in this step.
+    [[nodiscard]] virtual int negative_forces(std::size_t pair) const = 0;
+    /// Positions were changed from outside: forgets what was remembered between steps, but for the master
+    /// nodes of each pair that had force in the last one.
+    virtual void restart(const std::vector<std::vector<std::int32_t>>& active) = 0;
+};
+
+/// The method that the scene asks for; null when it has no contact pairs.
+[[nodiscard]] std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Mesh& mesh);
+
+}  // namespace percuss

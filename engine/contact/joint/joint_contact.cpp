@@ -1,0 +1,224 @@
+#include "contact/joint/joint_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dynamics/double2.hpp"
+#include "run/phase_timer.hpp"
+
+namespace percuss {
+namespace {
+
+/// A row outside the problem may close by this part of the deepest predicted penetration too far.
+constexpr double violation_tolerance = 1e-9;
+
+std::vector<std::int32_t> wall_nodes(const Mesh& mesh) {
+    std::vector<std::int32_t> nodes;
+    for (const Edge& wall : mesh.walls) nodes.insert(nodes.end(), wall.nodes.begin(), wall.nodes.end());
+    return nodes;
+}
+
+}  // namespace
+
+JointContact::JointContact(const Scene& scene, const Mesh& mesh)
+    : recovery_speed_(scene.contact_solver.recovery_speed),
+      listed_(static_cast<std::size_t>(mesh.node_count()), 0),
+      coupling_(mesh.node_count(), wall_nodes(mesh)) {
+    std::size_t masters = 0;
+    for (const ContactPair& pair : scene.contacts) {
+        Surface master = make_surface(mesh, pair.master), slave = make_surface(mesh, pair.slave);
+        const std::size_t m = add_surface(master), s = add_surface(slave), count = master.nodes.size();
+        masters += count;
+        pairs_.push_back(
+            {NearSearch(std::move(master), std::move(slave)), m, s, std::vector<char>(count, 0)});
+    }
+    rows_.reserve(masters);
+    chosen_.reserve(masters);
+    in_problem_.reserve(masters);
+    penetration_.reserve(masters);
+    force_.reserve(masters);
+    active_.reserve(masters);
+    coupling_.reserve(masters);
+    solver_.reserve(masters, 32 * masters);
+}
+
+std::size_t JointContact::add_surface(const Surface& surface) {
+    const auto same = std::find_if(surfaces_.begin(), surfaces_.end(),
+                                   [&](const Moving& moving) { return moving.nodes == surface.nodes; });
+    if (same == surfaces_.end()) {
+        surfaces_.push_back({surface.nodes, {}, {}});
+        return surfaces_.size() - 1;
+    }
+    return static_cast<std::size_t>(same - surfaces_.begin());
+}
+
+std::span<const ContactRow> JointContact::rows(std::size_t pair) const {
+    return std::span(rows_).subspan(pairs_[pair].rows_begin, pairs_[pair].rows_end - pairs_[pair].rows_begin);
+}
+
+void JointContact::restart(const std::vector<std::vector<std::int32_t>>& active) {
+    rows_.clear();
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        Pair& pair = pairs_[p];
+        pair.rows_begin = pair.rows_end = 0;
+        pair.search.restart(active[p]);
+        std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
+        for (const std::int32_t master : active[p]) pair.pressed[static_cast<std::size_t>(master)] = 1;
+    }
+}
+
+void JointContact::resolve(PredictedMotion& motion, RunStatistics& statistics) {
+    PhaseTimer timer;
+    find(motion);
+    timer.book(statistics.seconds.contact_search);
+    largest_correction_ = 0;
+    choose_rows();
+    if (!chosen_.empty()) {
+        do solve(motion, statistics.contact_solver);
+        while (add_violated(motion));
+        correct(motion);
+    }
+    remember();
+    for (Pair& pair : pairs_)
+        pair.search.advance(pair.relative + 2 * motion.dt * largest_correction_,
+                            pair.slave_motion + motion.dt * largest_correction_);
+    timer.book(statistics.seconds.contact_solve);
+}
+
+void JointContact::find(const PredictedMotion& motion) {
+    for (Moving& surface : surfaces_) {
+        Double2 low = load_pair(motion.nodes[surface.nodes.front()].v), high = low;
+        for (const std::int32_t node : surface.nodes) {
+            const Double2 v = load_pair(motion.nodes[node].v);
+            low = smaller(v, low);
+            high = larger(v, high);
+        }
+        surface.lowest = {low[0], low[1]};
+        surface.highest = {high[0], high[1]};
+    }
+    rows_.clear();
+    for (Pair& pair : pairs_) {
+        const Moving &m = surfaces_[pair.master], &s = surfaces_[pair.slave];
+        double relative = 0, slave = 0;
+        for (std::size_t d = 0; d < 2; ++d) {
+            const double most = std::max(m.highest[d] - s.lowest[d], s.highest[d] - m.lowest[d]);
+            const double most_slave = std::max(s.highest[d], -s.lowest[d]);
+            relative += most * most;
+            slave += most_slave * most_slave;
+        }
+        pair.relative = motion.dt * std::sqrt(relative);
+        pair.slave_motion = motion.dt * std::sqrt(slave);
+        pair.rows_begin = rows_.size();
+        pair.search.find({motion.nodes, motion.dt, pair.relative, motion.dt * recovery_speed_}, rows_);
+        pair.rows_end = rows_.size();
+    }
+}
+
+/// The problem begins with the rows that had force in the last step and those that the prediction closes.
+void JointContact::choose_rows() {
+    chosen_.clear();
+    in_problem_.assign(rows_.size(), 0);
+    for (const Pair& pair : pairs_) {
+        for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
+            const ContactRow& row = rows_[k];
+            if (row.penetration <= 0 && !pair.pressed[static_cast<std::size_t>(row.master)]) continue;
+            in_problem_[k] = 1;
+            chosen_.push_back(static_cast<std::int32_t>(k));
+        }
+    }
+}
+
+void JointContact::solve(PredictedMotion& motion, ContactSolverStatistics& statistics) {
+    coupling_.assemble(rows_, chosen_, motion.inverse_mass, motion.dt * motion.kick);
+    const std::size_t count = chosen_.size();
+    penetration_.resize(count);
+    force_.resize(count);
+    active_.assign(count, 1);
+    const auto row_at = [&](std::size_t place) -> ContactRow& {
+        return rows_[static_cast<std::size_t>(chosen_[static_cast<std::size_t>(coupling_.order()[place])])];
+    };
+    for (std::size_t place = 0; place < count; ++place) penetration_[place] = row_at(place).penetration;
+    for (const Coupling::Group& group : coupling_.groups()) {
+        const int rounds =
+            solver_.solve(coupling_.matrix(), penetration_, active_, force_, group.begin, group.end);
+        ++statistics.problems;
+        statistics.iterations += rounds;
+        statistics.most_iterations = std::max(statistics.most_iterations, rounds);
+        statistics.fallbacks += solver_.relaxed();
+        statistics.rows += group.end - group.begin;
+        statistics.most_rows = std::max(statistics.most_rows, group.end - group.begin);
+    }
+    for (std::size_t place = 0; place < count; ++place) row_at(place).force = std::max(0.0, force_[place]);
+    put_impulses(motion);
+}
+
+void JointContact::put_impulses(const PredictedMotion& motion) {
+    for (const std::int32_t node : *motion.touched)
+        motion.impulse[2 * node] = motion.impulse[2 * node + 1] = 0;
+    for (const std::int32_t k : chosen_) {
+        const ContactRow& row = rows_[static_cast<std::size_t>(k)];
+        for (std::size_t slot = 0; slot < 3; ++slot) {
+            const std::int32_t node = row.node[slot];
+            char& listed = listed_[static_cast<std::size_t>(node)];
+            if (!listed) motion.touched->push_back(node);
+            listed = 1;
+            const double share = motion.kick * row.force * row.share[slot];
+            motion.impulse[2 * node] += share * row.normal[0];
+            motion.impulse[2 * node + 1] += share * row.normal[1];
+        }
+    }
+}
+
+/// Adds the rows that the forces found so far would close too far. @returns whether there were any.
+bool JointContact::add_violated(const PredictedMotion& motion) {
+    if (chosen_.size() == rows_.size()) return false;
+    const auto velocity_change = [&](std::int32_t node, int d) {
+        return motion.inverse_mass[2 * node + d] * motion.impulse[2 * node + d];
+    };
+    double deepest = 0;
+    for (const double p : penetration_) deepest = std::max(deepest, p);
+    bool added = false;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        if (in_problem_[k]) continue;
+        const ContactRow& row = rows_[k];
+        double change = 0;
+        for (std::size_t slot = 0; slot < 3; ++slot)
+            change += row.share[slot] * (row.normal[0] * velocity_change(row.node[slot], 0) +
+                                         row.normal[1] * velocity_change(row.node[slot], 1));
+        if (row.penetration - motion.dt * change <= violation_tolerance * deepest) continue;
+        in_problem_[k] = 1;
+        added = true;
+    }
+    if (!added) return false;
+    chosen_.clear();
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+        if (in_problem_[k]) chosen_.push_back(static_cast<std::int32_t>(k));
+    return true;
+}
+
+void JointContact::correct(const PredictedMotion& motion) {
+    double largest = 0;
+    for (const std::int32_t node : *motion.touched) {
+        listed_[static_cast<std::size_t>(node)] = 0;
+        const double x = motion.inverse_mass[2 * node] * motion.impulse[2 * node],
+                     y = motion.inverse_mass[2 * node + 1] * motion.impulse[2 * node + 1];
+        Node& n = motion.nodes[node];
+        n.v[0] += x;
+        n.v[1] += y;
+        n.x[0] += motion.dt * x;
+        n.x[1] += motion.dt * y;
+        largest = std::max(largest, x * x + y * y);
+    }
+    largest_correction_ = std::sqrt(largest);
+}
+
+void JointContact::remember() {
+    for (Pair& pair : pairs_) {
+        std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
+        for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k)
+            if (rows_[k].force > 0) pair.pressed[static_cast<std::size_t>(rows_[k].master)] = 1;
+    }
+}
+
+}  // namespace percuss

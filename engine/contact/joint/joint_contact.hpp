@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contact/contact_method.hpp"
+#include "contact/joint/coupling.hpp"
+#include "contact/joint/near_search.hpp"
+#include "contact/solvers/nonnegative.hpp"
+
+namespace percuss {
+
+/// All pairs at once: for each group of rows that share nodes, forces C >= 0 with
+///     dt kick (G M^-1 G^T) C - P >= 0,  C . (dt kick (G M^-1 G^T) C - P) = 0,
+/// G the gap rates of the rows at x_n by nodal velocities, P how deep the predicted motion would go
+/// (near_search.hpp). No row closes further than its gap within the step, no force pulls, and where a gap
+/// stays open there is no force. The answer does not depend on the order of pairs. At the rim of a hole,
+/// where one node belongs to several pairs and rows depend on each other, the rows conflict as equations but
+/// not as inequalities.
+class JointContact final : public ContactMethod {
+  public:
+    JointContact(const Scene& scene, const Mesh& mesh);
+
+    void resolve(PredictedMotion& motion, RunStatistics& statistics) override;
+    [[nodiscard]] std::span<const ContactRow> rows(std::size_t pair) const override;
+    [[nodiscard]] double penetration(std::size_t pair, const Node*) const override {
+        return pairs_[pair].search.deepest();
+    }
+    [[nodiscard]] int negative_forces(std::size_t) const override { return 0; }
+    void restart(const std::vector<std::vector<std::int32_t>>& active) override;
+
+  private:
+    /// A surface that pairs share, and the velocities of its nodes in this step.
+    struct Moving {
+        std::vector<std::int32_t> nodes;
+        std::array<double, 2> lowest, highest;  ///< [velocity]
+    };
+    struct Pair {
+        NearSearch search;
+        std::size_t master, slave;  ///< among the surfaces
+        std::vector<char> pressed;  ///< per master node: had force in the last step
+        std::size_t rows_begin = 0, rows_end = 0;
+        double relative = 0, slave_motion = 0;  ///< bounds within this step [length]
+    };
+
+    std::size_t add_surface(const Surface& surface);
+    void find(const PredictedMotion& motion);
+    void choose_rows();
+    void solve(PredictedMotion& motion, ContactSolverStatistics& statistics);
+    [[nodiscard]] bool add_violated(const PredictedMotion& motion);
+    void put_impulses(const PredictedMotion& motion);
+    void correct(const PredictedMotion& motion);
+    void remember();
+
+    double recovery_speed_;
+    std::vector<Moving> surfaces_;
+    std::vector<Pair> pairs_;
+    std::vector<ContactRow> rows_;
+    std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
+    std::vector<char> in_problem_;      ///< per row
+    std::vector<char> listed_;          ///< per node of the mesh: among the touched ones of this step
+    Coupling coupling_;
+    NonnegativeSolver solver_;
+    std::vector<double> penetration_, force_;  ///< per place in the matrix
+    std::vector<char> active_;
+    double largest_correction_ = 0;  ///< change of velocity by contact in this step [velocity]
+};
+
+}  // namespace percuss

@@ -1,0 +1,238 @@
+#include "contact/joint/near_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace percuss {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Lengths as parts of a mean side.
+/// A node beyond an open end or a sharp corner by up to this still belongs to the face: flush faces spread
+/// sideways.
+constexpr double end_tolerance = 0.02;
+/// A node that appears deeper than this and than a step's motion did not come through the side: it lies
+/// beyond a thin body, or slid under an open end. To throw it out would make energy from nothing.
+constexpr double entry_tolerance = 1e-3;
+/// A node in contact is let go when it is deeper than this: forces could not hold it.
+constexpr double depth_limit = 0.5;
+/// Nodes nearer than this stay awake.
+constexpr double awake_within = 0.02;
+
+std::array<double, 2> at_start(const Node* nodes, std::int32_t node, double dt) {
+    const Node& n = nodes[node];
+    return {n.x[0] - dt * n.v[0], n.x[1] - dt * n.v[1]};
+}
+
+double distance_of(const SideView& v) {
+    const double past = std::max({-v.a, v.a - 1, 0.0}) * v.length;
+    return past > 0 ? std::sqrt(past * past + v.gap * v.gap) : std::abs(v.gap);
+}
+
+double past_end(const SideView& v) { return std::max(-v.a, v.a - 1) * v.length; }
+
+double mean_length(const Node* nodes, const std::vector<Side>& sides) {
+    double sum = 0;
+    for (const Side& side : sides) sum += view_from_side(nodes, side, 0, 0).length;
+    return sides.empty() ? infinity : sum / static_cast<double>(sides.size());
+}
+
+}  // namespace
+
+NearSearch::NearSearch(Surface master, Surface slave)
+    : master_(std::move(master)),
+      slave_(std::move(slave)),
+      tree_(slave_.sides.size()),
+      memory_(master_.nodes.size()) {
+    awake_.reserve(memory_.size());
+}
+
+void NearSearch::restart(const std::vector<std::int32_t>& active) {
+    std::fill(memory_.begin(), memory_.end(), Memory{});
+    for (const std::int32_t master : active) memory_[static_cast<std::size_t>(master)].near = true;
+    awake_.clear();
+    mean_side_ = travelled_ = wake_at_ = 0;
+}
+
+void NearSearch::measure(const Node* nodes) {
+    // A wall's one side is endless: then the master's sides are the measure.
+    mean_side_ = std::min(mean_length(nodes, slave_.sides), mean_length(nodes, master_.sides));
+    slave_travelled_ = infinity;
+}
+
+void NearSearch::advance(double relative, double slave) {
+    travelled_ += relative;
+    slave_travelled_ += slave;
+}
+
+inline SideView NearSearch::view(const StepMotion& motion, std::int32_t side, const Point& x) const {
+    const Side& s = slave_.sides[static_cast<std::size_t>(side)];
+    const Point i = at_start(motion.nodes, s.i, motion.dt), j = at_start(motion.nodes, s.j, motion.dt);
+    return view_of_segment(i.data(), j.data(), x[0], x[1]);
+}
+
+/// Whether a node over a facet, well away from the facet's ends, has no other side nearer.
+inline bool NearSearch::alone_on(const SideView& v, const Memory& memory) const {
+    const double distance = std::abs(v.gap);
+    return distance <= 0.1 * std::min(v.a, 1 - v.a) * v.length && distance <= memory.others_from - travelled_;
+}
+
+inline bool NearSearch::add_row(const StepMotion& motion, std::int32_t master, const Face& face,
+                                bool was_near, std::vector<ContactRow>& rows) {
+    const SideView& v = face.view;
+    if (face.side < 0 || v.gap > 2 * motion.range) return false;
+    if (-v.gap > std::max((was_near ? depth_limit : entry_tolerance) * v.length, motion.range)) return false;
+    const Side& side = slave_.sides[static_cast<std::size_t>(face.side)];
+    const double a = std::clamp(v.a, 0.0, 1.0);
+    ContactRow& row = rows.emplace_back();
+    row.node = {master_.nodes[static_cast<std::size_t>(master)], side.i, side.j};
+    row.share = {1, a - 1, -a};
+    row.normal = {v.nx, v.ny};
+    row.side = face.side;
+    row.master = master;
+    const double *n = motion.nodes[row.node[0]].v, *i = motion.nodes[side.i].v, *j = motion.nodes[side.j].v;
+    const double rate = v.nx * (n[0] + row.share[1] * i[0] + row.share[2] * j[0]) +
+                        v.ny * (n[1] + row.share[1] * i[1] + row.share[2] * j[1]);
+    row.penetration = -(std::max(v.gap, -motion.recovery) + motion.dt * rate);
+    deepest_ = std::max(deepest_, -v.gap);
+    return true;
+}
+
+void NearSearch::find(const StepMotion& motion, std::vector<ContactRow>& rows) {
+    deepest_ = 0;
+    if (mean_side_ == 0) measure(motion.nodes);
+    if (travelled_ + 2 * motion.range >= wake_at_) wake(motion);
+    for (const std::int32_t m : awake_) {
+        Memory& memory = memory_[static_cast<std::size_t>(m)];
+        const std::int32_t node = master_.nodes[static_cast<std::size_t>(m)];
+        const Point x = at_start(motion.nodes, node, motion.dt);
+        if (memory.closest >= 0) {
+            const SideView v = view(motion, memory.closest, x);
+            if (alone_on(v, memory) && std::min(v.a, 1 - v.a) * v.length > 2 * motion.range) {
+                memory.near = add_row(motion, m, {v, memory.closest}, memory.near, rows);
+                continue;
+            }
+        }
+        const Closest closest = look(motion, x, memory);
+        if (!(closest.distance < infinity)) continue;  // a diverged state has no closest side
+        const Face face = face_of(motion, x, closest);
+        const bool touches = add_row(motion, m, face, memory.near, rows);
+        const bool touches_other = add_row(motion, m, across_valley(motion, x, face), memory.near, rows);
+        memory.near = touches || touches_other;
+    }
+}
+
+/// Chooses the nodes to look at from now on.
+void NearSearch::wake(const StepMotion& motion) {
+    const double within = std::max(awake_within * mean_side_, 8 * motion.range);
+    wake_at_ = travelled_ + 4 * within;
+    awake_.clear();
+    for (std::size_t m = 0; m < memory_.size(); ++m) {
+        Memory& memory = memory_[m];
+        if (memory.free_until <= travelled_ + within) {
+            const Point x = at_start(motion.nodes, master_.nodes[m], motion.dt);
+            memory.free_until = travelled_ + look(motion, x, memory).distance - end_tolerance * mean_side_;
+        }
+        if (memory.free_until <= travelled_ + within) {
+            awake_.push_back(static_cast<std::int32_t>(m));
+            memory.free_until = travelled_;
+        } else {
+            memory.near = false;
+            wake_at_ = std::min(wake_at_, memory.free_until);
+        }
+    }
+}
+
+NearSearch::Closest NearSearch::look(const StepMotion& motion, const Point& x, Memory& memory) {
+    if (memory.closest >= 0) {
+        const SideView v = view(motion, memory.closest, x);
+        if (alone_on(v, memory)) return {v, std::abs(v.gap), memory.closest};
+    }
+    const auto best_of_three = [&](std::int32_t middle) {
+        const SideView v = view(motion, middle, x);
+        Closest best{v, distance_of(v), middle};
+        const Side& side = slave_.sides[static_cast<std::size_t>(middle)];
+        for (const std::int32_t neighbour : {side.previous, side.next}) {
+            if (neighbour < 0) continue;
+            const SideView other = view(motion, neighbour, x);
+            const double distance = distance_of(other);
+            // At a common end both are as far: the side that the node is more outside of.
+            const double tie = 1e-12 * best.view.length;
+            if (distance < best.distance - tie ||
+                (distance < best.distance + tie && other.gap > best.view.gap))
+                best = {other, distance, neighbour};
+        }
+        return best;
+    };
+    if (memory.middle >= 0) {
+        const Closest local = best_of_three(memory.middle);
+        if (local.distance <= memory.others_from - travelled_) {
+            memory.closest = local.side;
+            return local;
+        }
+    }
+    if (slave_travelled_ > mean_side_) {
+        tree_.fit(motion.nodes, slave_.sides);
+        slave_travelled_ = 0;
+    }
+    // The tree knows the predicted positions, which are off by no more than the step's motion.
+    memory.middle = tree_.nearest(motion.nodes, slave_.sides, x[0], x[1], slave_travelled_).side;
+    memory.closest = memory.middle;
+    if (memory.middle < 0) return {{}, infinity, -1};
+    const Side& middle = slave_.sides[static_cast<std::size_t>(memory.middle)];
+    const auto other = tree_.nearest(motion.nodes, slave_.sides, x[0], x[1], slave_travelled_,
+                                     {middle.previous, memory.middle, middle.next});
+    memory.others_from = travelled_ + other.distance - motion.range;
+    const Closest best = best_of_three(memory.middle);
+    memory.closest = best.side;
+    return best;
+}
+
+/// Which way the body's outline turns from one side to the next. Flat convex corners approximate a curve.
+NearSearch::Corner NearSearch::corner(const StepMotion& motion, std::int32_t first,
+                                      std::int32_t second) const {
+    const Side &from = slave_.sides[static_cast<std::size_t>(first)],
+               &to = slave_.sides[static_cast<std::size_t>(second)];
+    const Point a = at_start(motion.nodes, from.i, motion.dt), b = at_start(motion.nodes, from.j, motion.dt),
+                c = at_start(motion.nodes, to.j, motion.dt);
+    const double sx = b[0] - a[0], sy = b[1] - a[1], tx = c[0] - b[0], ty = c[1] - b[1];
+    const double turn = sx * ty - sy * tx, along = sx * tx + sy * ty;
+    if (turn <= 0) return Corner::valley;
+    return turn > along ? Corner::sharp : Corner::flat;
+}
+
+/// The face that keeps the node out, if it is in reach of one.
+NearSearch::Face NearSearch::face_of(const StepMotion& motion, const Point& x, const Closest& closest) const {
+    const double past = past_end(closest.view);
+    if (past <= 0) return {closest.view, closest.side};
+    const Side& side = slave_.sides[static_cast<std::size_t>(closest.side)];
+    const bool before = closest.view.a < 0;
+    const std::int32_t around = before ? side.previous : side.next;
+    const double reach = end_tolerance * mean_side_;
+    if (around < 0) return {closest.view, past > reach ? -1 : closest.side};
+    if (corner(motion, before ? around : closest.side, before ? closest.side : around) != Corner::sharp)
+        return {closest.view, closest.side};
+    // In front of a sharp corner: the face that the node is more outside of, if it is within its reach.
+    const SideView other = view(motion, around, x);
+    const Face face = other.gap > closest.view.gap ? Face{other, around} : Face{closest.view, closest.side};
+    return {face.view, past_end(face.view) > reach ? -1 : face.side};
+}
+
+/// A node at the bottom of a valley between two sides is kept out by both: were it by the closer one only, it
+/// would leave each of them in turn through the other.
+NearSearch::Face NearSearch::across_valley(const StepMotion& motion, const Point& x, const Face& face) const {
+    const SideView& v = face.view;
+    const bool before = v.a < 0.5;
+    if (face.side < 0 || (before ? v.a : 1 - v.a) * v.length > 2 * motion.range) return {{}, -1};
+    const Side& side = slave_.sides[static_cast<std::size_t>(face.side)];
+    const std::int32_t around = before ? side.previous : side.next;
+    if (around < 0 ||
+        corner(motion, before ? around : face.side, before ? face.side : around) != Corner::valley)
+        return {{}, -1};
+    return {view(motion, around, x), around};
+}
+
+}  // namespace percuss

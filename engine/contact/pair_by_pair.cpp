@@ -1,0 +1,25 @@
+#include "contact/pair_by_pair.hpp"
+
+#include "run/phase_timer.hpp"
+
+namespace percuss {
+
+PairByPair::PairByPair(const Scene& scene, const Mesh& mesh) {
+    for (const ContactPair& pair : scene.contacts) pairs_.push_back(make_contact_scheme(pair, mesh));
+}
+
+void PairByPair::resolve(PredictedMotion& motion, RunStatistics& statistics) {
+    PhaseTimer timer;
+    for (auto& pair : pairs_) {
+        pair->find(motion);
+        timer.book(statistics.seconds.contact_search);
+        pair->resolve(motion);
+        timer.book(statistics.seconds.contact_solve);
+    }
+}
+
+void PairByPair::restart(const std::vector<std::vector<std::int32_t>>&) {
+    for (auto& pair : pairs_) pair->forget();
+}
+
+}  // namespace percuss

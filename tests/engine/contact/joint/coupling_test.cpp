@@ -1,0 +1,201 @@
+#include "contact/joint/coupling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "contact/solvers/nonnegative.hpp"
+#include "engine/contact/solvers/random_system.hpp"
+
+namespace percuss {
+namespace {
+
+using testing::Dense;
+using testing::Rng;
+
+ContactRow random_row(Rng& random, int nodes) {
+    ContactRow row;
+    row.node = {random.index(nodes), random.index(nodes), random.index(nodes)};
+    while (row.node[1] == row.node[0]) row.node[1] = random.index(nodes);
+    while (row.node[2] == row.node[0] || row.node[2] == row.node[1]) row.node[2] = random.index(nodes);
+    const double a = random.uniform(0, 1), angle = random.uniform(0, 6.28);
+    row.share = {1, a - 1, -a};
+    row.normal = {std::cos(angle), std::sin(angle)};
+    return row;
+}
+
+/// factor G M^-1 G^T by dense algebra, in the given order of rows.
+Dense reference(const std::vector<ContactRow>& rows, const std::vector<std::int32_t>& order,
+                const std::vector<double>& inverse_mass, double factor) {
+    const auto n = static_cast<Eigen::Index>(order.size()),
+               m = static_cast<Eigen::Index>(inverse_mass.size());
+    Dense g = Dense::Zero(n, m);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const ContactRow& row = rows[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
+        for (std::size_t slot = 0; slot < 3; ++slot)
+            for (int d = 0; d < 2; ++d)
+                g(k, 2 * row.node[slot] + d) += row.share[slot] * row.normal[static_cast<std::size_t>(d)];
+    }
+    const Eigen::VectorXd w = Eigen::Map<const Eigen::VectorXd>(inverse_mass.data(), m);
+    return factor * g * w.asDiagonal() * g.transpose();
+}
+
+std::vector<std::int32_t> rows_in_order(const Coupling& coupling, const std::vector<std::int32_t>& chosen) {
+    std::vector<std::int32_t> order;
+    for (const std::int32_t k : coupling.order()) order.push_back(chosen[static_cast<std::size_t>(k)]);
+    return order;
+}
+
+TEST(Coupling, IsTheMatrixOfTheRowsWithALittleMoreOnTheDiagonal) {
+    Rng random(11);
+    constexpr int nodes = 60;
+    Coupling coupling(nodes);
+    for (int round = 0; round < 100; ++round) {
+        std::vector<ContactRow> rows;
+        std::vector<std::int32_t> chosen;
+        for (std::int32_t k = 0; k < 1 + round % 30; ++k) {
+            rows.push_back(random_row(random, nodes));
+            if (random.uniform(0, 1) < 0.7) chosen.push_back(k);
+        }
+        const std::vector<double> inverse_mass = random.vector(2 * nodes, 0.5, 2);
+        // Twice: the second time its structure is known already, and normals have turned.
+        for (int turn = 0; turn < 2; ++turn) {
+            if (turn == 1)
+                for (ContactRow& row : rows) std::swap(row.normal[0], row.normal[1]);
+            coupling.assemble(rows, chosen, inverse_mass.data(), 3);
+            Dense expected = reference(rows, rows_in_order(coupling, chosen), inverse_mass, 3);
+            expected.diagonal() *= 1 + 1e-8;
+            ASSERT_EQ(coupling.matrix().rows(), expected.rows());
+            if (chosen.empty()) continue;
+            EXPECT_LT((testing::dense(coupling.matrix()) - expected).lpNorm<Eigen::Infinity>(), 1e-12)
+                << round;
+        }
+    }
+}
+
+TEST(Coupling, GroupsShareNoNodesAndHoldEveryRowOnce) {
+    Rng random(12);
+    constexpr int nodes = 60;
+    Coupling coupling(nodes);
+    std::size_t most_groups = 0;
+    for (int round = 0; round < 100; ++round) {
+        std::vector<ContactRow> rows;
+        std::vector<std::int32_t> chosen;
+        for (std::int32_t k = 0; k < 2 + round % 20; ++k) {
+            rows.push_back(random_row(random, nodes));
+            chosen.push_back(k);
+        }
+        const std::vector<double> inverse_mass(2 * nodes, 1);
+        coupling.assemble(rows, chosen, inverse_mass.data(), 1);
+        std::vector<int> group_of_node(nodes, -1), seen(rows.size(), 0);
+        int g = 0;
+        std::int32_t at = 0;
+        for (const Coupling::Group& group : coupling.groups()) {
+            EXPECT_EQ(group.begin, at);
+            at = group.end;
+            for (std::int32_t place = group.begin; place < group.end; ++place) {
+                const auto k = static_cast<std::size_t>(coupling.order()[static_cast<std::size_t>(place)]);
+                ++seen[k];
+                for (const std::int32_t node : rows[k].node) {
+                    int& owner = group_of_node[static_cast<std::size_t>(node)];
+                    EXPECT_TRUE(owner == -1 || owner == g);
+                    owner = g;
+                }
+            }
+            ++g;
+        }
+        EXPECT_EQ(at, static_cast<std::int32_t>(rows.size()));
+        EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(rows.size()));
+        most_groups = std::max(most_groups, coupling.groups().size());
+    }
+    EXPECT_GT(most_groups, 3U);
+}
+
+// All rows on one wall share its two nodes.
+TEST(Coupling, NodesOfWallsJoinNoGroups) {
+    std::vector<ContactRow> rows(2);
+    rows[0].node = {0, 8, 9};
+    rows[1].node = {1, 8, 9};
+    for (ContactRow& row : rows) {
+        row.share = {1, -0.5, -0.5};
+        row.normal = {0, 1};
+    }
+    const std::vector<double> inverse_mass(20, 1);
+    const std::vector<std::int32_t> both{0, 1}, wall{8, 9};
+    Coupling moving(10), fixed(10, wall);
+    moving.assemble(rows, both, inverse_mass.data(), 1);
+    EXPECT_EQ(moving.groups().size(), 1U);
+    fixed.assemble(rows, both, inverse_mass.data(), 1);
+    EXPECT_EQ(fixed.groups().size(), 2U);
+}
+
+// Rows of two pairs that meet along a face come one pair after the other: in that order each row would couple
+// across the whole matrix.
+TEST(Coupling, OrderOfPairsDoesNotWidenTheProfile) {
+    constexpr std::int32_t count = 40;
+    std::vector<ContactRow> rows;
+    std::vector<std::int32_t> chosen;
+    for (std::int32_t pair = 0; pair < 2; ++pair)
+        for (std::int32_t k = 0; k < count; ++k) {
+            ContactRow row;
+            row.node = {k, 100 + 100 * pair + k, 101 + 100 * pair + k};
+            row.share = {1, -0.5, -0.5};
+            row.normal = {0, 1};
+            chosen.push_back(static_cast<std::int32_t>(rows.size()));
+            rows.push_back(row);
+        }
+    const std::vector<double> inverse_mass(2 * 400, 1);
+    Coupling coupling(400);
+    coupling.assemble(rows, chosen, inverse_mass.data(), 1);
+    EXPECT_EQ(coupling.groups().size(), 1U);
+    std::int32_t widest = 0;
+    for (std::int32_t k = 0; k < coupling.matrix().rows(); ++k)
+        widest = std::max(widest, k - coupling.matrix().first(k));
+    EXPECT_LE(widest, 5);
+}
+
+// The rim of a hole: node a in a side of b, c in b as well, a in c: three gaps of which the third is the
+// first less the second. As equations they conflict; as inequalities they have an answer, and it keeps all
+// three.
+TEST(Coupling, DependentRowsOfARimAreSolvedWithinTheRegularisation) {
+    constexpr std::int32_t a = 0, b = 1, c = 2, fixed = 3;
+    const auto row = [](std::int32_t master, std::int32_t slave, double penetration) {
+        ContactRow r;
+        r.node = {master, slave, fixed};
+        r.share = {1, -1, 0};
+        r.normal = {0, 1};
+        r.penetration = penetration;
+        return r;
+    };
+    Rng random(13);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<ContactRow> rows{row(a, b, random.uniform(-1, 1)), row(c, b, random.uniform(-1, 1)),
+                                     row(a, c, random.uniform(-1, 1))};
+        const std::vector<std::int32_t> all{0, 1, 2};
+        std::vector<double> inverse_mass(8, 0);
+        for (std::size_t k = 0; k < 6; ++k) inverse_mass[k] = random.uniform(0.2, 2);
+        Coupling coupling(4);
+        coupling.assemble(rows, all, inverse_mass.data(), 1);
+        std::vector<double> p, force(3);
+        for (const std::int32_t k : coupling.order())
+            p.push_back(rows[static_cast<std::size_t>(k)].penetration);
+        std::vector<char> active(3, 1);
+        NonnegativeSolver solver;
+        for (const Coupling::Group& group : coupling.groups())
+            solver.solve(coupling.matrix(), p, active, force, group.begin, group.end);
+        EXPECT_FALSE(solver.relaxed());
+        const Dense exact = reference(rows, rows_in_order(coupling, all), inverse_mass, 1);
+        const Eigen::VectorXd gap =
+            exact * Eigen::Map<Eigen::VectorXd>(force.data(), 3) - Eigen::Map<Eigen::VectorXd>(p.data(), 3);
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            const double c_k = force[static_cast<std::size_t>(k)];
+            EXPECT_GE(c_k, 0);
+            EXPECT_GE(gap(k), -1e-8 * exact(k, k) * c_k - 1e-12) << round << ": no row is violated";
+            EXPECT_LE(gap(k) * c_k, 1e-10) << round << ": no force across an open gap";
+        }
+    }
+}
+
+}  // namespace
+}  // namespace percuss
