@@ -1,29 +1,34 @@
 #include "effects.hpp"
 
 #include <algorithm>
+
 #include <fmt/format.h>
 
 namespace percuss {
 
 std::vector<EffectInfo> effects_of(const Scene& scene) {
-    const auto any_body = [&](auto condition) { return std::any_of(scene.bodies.begin(), scene.bodies.end(), condition); };
+    const auto any_body = [&](auto condition) {
+        return std::any_of(scene.bodies.begin(), scene.bodies.end(), condition);
+    };
     const auto any_of_kind = [&](ElementKind kind) {
         return any_body([&](const Body& body) { return body.element == kind; });
     };
     std::vector<EffectInfo> effects;
     effects.push_back({"one-point quads", any_of_kind(ElementKind::quad_one_point),
                        "about 190 flops and 24 bytes of state an element"});
-    effects.push_back({"hourglass stiffness",
-                       any_body([](const Body& b) { return b.element == ElementKind::quad_one_point && b.hourglass > 0; }),
+    effects.push_back({"hourglass stiffness", any_body([](const Body& b) {
+                           return b.element == ElementKind::quad_one_point && b.hourglass > 0;
+                       }),
                        "about 50 flops and 16 bytes of state a one-point quad"});
     effects.push_back({"mean-dilatation quads", any_of_kind(ElementKind::quad_mean_dilatation),
                        "about 560 flops and 96 bytes of state an element"});
-    effects.push_back({"triangles", any_of_kind(ElementKind::triangle), "about 130 flops and 24 bytes of state an element"});
-    effects.push_back({"bulk viscosity",
-                       any_body([&](const Body& body) {
-                           return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
-                               return m.name == body.material && m.viscosity.has_value();
-                           });
+    effects.push_back({"triangles", any_of_kind(ElementKind::triangle),
+                       "about 130 flops and 24 bytes of state an element"});
+    effects.push_back({"bulk viscosity", any_body([&](const Body& body) {
+                           return std::any_of(scene.materials.begin(), scene.materials.end(),
+                                              [&](const Material& m) {
+                                                  return m.name == body.material && m.viscosity.has_value();
+                                              });
                        }),
                        "about 20 flops and 3 square roots an element; lowers the critical step"});
     const auto any_law = [&](std::size_t law) {
@@ -34,23 +39,30 @@ std::vector<EffectInfo> effects_of(const Scene& scene) {
         });
     };
     effects.push_back({"plasticity: linear and Voce hardening", any_law(1),
-                       "about 10 flops and 16 bytes of state a point; 30 flops, a root, 2 divisions and 2 exponentials where it yields"});
-    effects.push_back({"plasticity: tabulated hardening", any_law(2),
-                       "about 10 flops and 16 bytes of state a point; 25 flops, a root and 3 divisions where it yields"});
+                       "about 10 flops and 16 bytes of state a point; 30 flops, a root, 2 divisions and 2 "
+                       "exponentials where it yields"});
+    effects.push_back(
+        {"plasticity: tabulated hardening", any_law(2),
+         "about 10 flops and 16 bytes of state a point; 25 flops, a root and 3 divisions where it yields"});
     effects.push_back({"plasticity: Johnson-Cook", any_law(3),
-                       "about 10 flops and 24 bytes of state a point; about 5 iterations with 3 powers and a logarithm where it yields"});
-    effects.push_back({"body force", any_body([](const Body& b) { return b.body_force[0] != 0 || b.body_force[1] != 0; }),
+                       "about 10 flops and 24 bytes of state a point; about 5 iterations with 3 powers and a "
+                       "logarithm where it yields"});
+    effects.push_back({"body force",
+                       any_body([](const Body& b) { return b.body_force[0] != 0 || b.body_force[1] != 0; }),
                        "6 flops and 16 bytes a node"});
     effects.push_back({"pressure and traction", any_body([](const Body& b) { return !b.loads.empty(); }),
                        "about 30 flops a loaded side"});
     effects.push_back({"prescribed velocity", any_body([](const Body& b) { return !b.prescribed.empty(); }),
                        "about 20 flops a prescribed node; 16 bytes a node"});
     const bool joint = scene.contact_solver.scheme == ContactScheme::joint;
-    effects.push_back({"contact: projection, pair by pair", !scene.contacts.empty() && !joint,
-                       "motion bound on each surface node; search, solve and correction of penetrating nodes only"});
-    effects.push_back({"contact: joint problem", !scene.contacts.empty() && joint,
-                       "motion bound on each surface node; search of near nodes; one factorisation of the rows in touch"});
-    effects.push_back({"lagged stresses", scene.lagged, "a second copy of the node positions: 48 bytes a node"});
+    effects.push_back(
+        {"contact: projection, pair by pair", !scene.contacts.empty() && !joint,
+         "motion bound on each surface node; search, solve and correction of penetrating nodes only"});
+    effects.push_back(
+        {"contact: joint problem", !scene.contacts.empty() && joint,
+         "motion bound on each surface node; search of near nodes; one factorisation of the rows in touch"});
+    effects.push_back(
+        {"lagged stresses", scene.lagged, "a second copy of the node positions: 48 bytes a node"});
     effects.push_back({"probes", !scene.probes.empty(), "one stress or node reading a probe and step"});
     return effects;
 }

@@ -145,7 +145,8 @@ void Solver::build_nodes() {
     std::sort(supports_.begin(), supports_.end());
     supports_.erase(std::unique(supports_.begin(), supports_.end()), supports_.end());
     // Radial forces on a ring cancel: they carry no momentum of the whole.
-    if (scene.geometry == Geometry::axisymmetric) std::erase_if(supports_, [](std::size_t k) { return k % 2 == 0; });
+    if (scene.geometry == Geometry::axisymmetric)
+        std::erase_if(supports_, [](std::size_t k) { return k % 2 == 0; });
     for (const auto& p : imposed_.prescribed)
         if (p.acts)
             state_.nodes[static_cast<std::size_t>(p.node)].v[p.direction] =

@@ -148,7 +148,7 @@ class Solver {
     std::vector<double> internal_, external_;  // 2 per node; external_ only when the scene has loads
     std::vector<std::int32_t> corner_begin_;   // per node: its range in corners_
     std::vector<const double*> corners_;       // pairs (fx, fy) among the batches' corner forces
-    std::vector<std::size_t> supports_;        // 2 node + direction of velocities that may be imposed, and of walls
+    std::vector<std::size_t> supports_;  // 2 node + direction of velocities that may be imposed, and of walls
     ImposedMotion imposed_;
     // Of prescribed motion; empty when there is none.
     std::vector<double> imposed_change_;        // 2 per node: change of velocity in this step
