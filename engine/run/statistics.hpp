@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "run/snapshot.hpp"
+
 namespace percuss {
 
 /// Wall-clock seconds by phase of the run.
@@ -26,13 +28,6 @@ struct PairStatistics {
     std::int64_t negative_forces = 0;      ///< rows whose unrestricted C came out negative
     double max_penetration = 0;            ///< largest penetration left after correction [length]
     double work = 0;                       ///< work done on the bodies by this pair's forces [energy]
-};
-
-/// Where a body's energy went, [energy] as in Energies.
-struct BodyEnergies {
-    double kinetic = 0;  ///< at the last velocities, half a step before the end
-    double elastic = 0;  ///< stored by strains
-    double plastic = 0, hourglass = 0, viscous = 0;  ///< works since the start
 };
 
 /// What a run did, counted while it ran.
