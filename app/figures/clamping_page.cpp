@@ -18,7 +18,7 @@ RunPage make_clamping_page(const RecordedRun& run, const FigureSpec& figure) {
     FigureSpec histories = figure;
     histories.kind = FigureKind::history;
     histories.window = figure.window > 0 ? figure.window : analysis.window;
-    histories.value_title = direction + " force";
+    histories.value_title = direction + " force between the bodies";
     histories.columns.clear();
     render::Bars bars;
     double most = 0;
@@ -30,8 +30,9 @@ RunPage make_clamping_page(const RecordedRun& run, const FigureSpec& figure) {
         histories.columns.push_back(fmt::format("contact.{}.{}", figure.columns[k], direction));
         const auto pair = std::find_if(analysis.pairs.begin(), analysis.pairs.end(),
                                        [&](const ContactMeans& means) { return means.pair == figure.columns[k]; });
-        const double peak = figure.factor * unit.scale * pair->peak[figure.direction];
-        const double residual = figure.factor * unit.scale * pair->residual[figure.direction];
+        // Which of the two bodies is the master is no matter of clamping: magnitudes.
+        const double peak = unit.scale * std::abs(pair->peak[figure.direction]);
+        const double residual = unit.scale * std::abs(pair->residual[figure.direction]);
         bars.groups.push_back(
             {labels[k],
              {peak, residual},
@@ -40,10 +41,12 @@ RunPage make_clamping_page(const RecordedRun& run, const FigureSpec& figure) {
     }
     histories.labels = labels;
     RunPage result = make_history_page(run, histories);
+    for (render::Curve& curve : std::get<render::Chart>(result.page.panels.front().panel).curves)
+        for (double& value : curve.y) value = std::abs(value);
     bars.series = {"peak", fmt::format("mean from {} on", with_unit(scene.units, Quantity::time, analysis.residual_from))};
     bars.title = fmt::format("peak of the average over {} and residual",
                              with_unit(scene.units, Quantity::time, analysis.window));
-    bars.x_title = titled(direction + " force", unit.label);
+    bars.x_title = titled(histories.value_title, unit.label);
     result.page.title = figure.title.empty() ? "Forces between the bodies" : figure.title;
     result.page.width = 2200;
     result.page.panels.front().place = {0, 0, 0.55, 1};

@@ -70,6 +70,8 @@ RunPage make_mesh_page(const RecordedRun& run, const FigureSpec& figure) {
         }
         picture.colour_bar = picture.coloured && k == 0;
         picture.scale_bar = true;
+        picture.room_below = figure.field.empty() ? render::MeshPicture::scale_bar_room
+                                                  : render::MeshPicture::colour_bar_room;
         page.panels.push_back({std::move(picture), {static_cast<double>(k) / count, 0, 1 / count, 1}});
     }
     const bool mirrored = scene.view.mirror && scene.geometry == Geometry::axisymmetric;
@@ -78,8 +80,9 @@ RunPage make_mesh_page(const RecordedRun& run, const FigureSpec& figure) {
     if (scene.view.up == VerticalAxis::first) std::swap(wide, high);
     const double each = std::clamp(2100 / count, 420.0, 900.0);
     page.width = static_cast<int>(each * count);
-    page.height = static_cast<int>(std::clamp(each * high / wide + 260, 420.0, 1800.0));
     page.type = 1.4;
+    const double around = page.type * (48 + 14 + 26 + (figure.field.empty() ? 48 : 70)) + 40;
+    page.height = static_cast<int>(std::clamp((each - 30) * high / wide + around, 420.0, 1800.0));
     return result;
 }
 

@@ -54,7 +54,13 @@ RunPage make_space_time_page(const RecordedRun& run, const FigureSpec& figure) {
     map.x_title = titled("time", time.label);
     map.y_title = titled(place_title, length.label);
     map.value_title = titled(field.title, unit.label);
-    map.title = "of " + figure.body;
+    map.title = figure.body;
+    if (const auto direction = only_direction(trace)) {
+        const std::size_t other = 1 - *direction;
+        map.title += fmt::format(", initial {} = {:.4g} {}", coordinate_name(scene, other),
+                                 trace.points.front()[static_cast<Eigen::Index>(other)],
+                                 scene.units.label(Quantity::length));
+    }
     map.x_range = time_range(run, figure);
     if (figure.range) map.range = {unit.scale * (*figure.range)[0], unit.scale * (*figure.range)[1]};
     map.colour_map = figure.colour_map;

@@ -159,7 +159,6 @@ void read_clamping(TableReader& reader, const Scene& scene, FigureSpec& figure) 
     for (const auto& pair : figure.columns) check_name(reader, "pairs", "contact", pair, names_of(scene.contacts));
     read_labels(reader, figure, "pairs");
     figure.direction = read_direction(reader, "direction", scene).value_or(figure.direction);
-    figure.factor = reader.number("factor", any_number).value_or(1);
     figure.window = reader.number("window", not_negative).value_or(0);
     figure.range = read_interval(reader, "range");
     figure.time = read_interval(reader, "time");

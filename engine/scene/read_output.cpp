@@ -29,6 +29,12 @@ void read_colouring(TableReader& reader, const Scene& scene, ViewOptions& view) 
     }
 }
 
+bool is_history_figure(const Scene& scene, const std::string& name) {
+    return std::any_of(scene.figures.begin(), scene.figures.end(), [&](const FigureSpec& figure) {
+        return figure.kind == FigureKind::history && figure.name == name;
+    });
+}
+
 void read_arrows(TableReader& reader, ViewOptions& view) {
     view.forces = reader.flag("forces").value_or(view.forces);
     view.velocities = reader.flag("velocities").value_or(view.velocities);
@@ -84,7 +90,7 @@ void read_view(TableReader& root, Scene& scene) {
     if (const auto charts = reader->texts("charts")) {
         view.charts = *charts;
         for (const auto& chart : view.charts)
-            if (chart != "force" && chart != "velocity" && chart != "energy")
+            if (chart != "force" && chart != "velocity" && chart != "energy" && !is_history_figure(scene, chart))
                 check_column(*reader, "charts", scene, chart);
     }
     view.frames_per_second = reader->number("frames_per_second", {.low = 0, .high = 240, .low_open = true})

@@ -49,8 +49,6 @@ double cell_pixels(const Mesh& mesh, const Fit& fit) {
     return fit.pixels_per_unit * std::sqrt(area / std::max(1, mesh.cell_count()));
 }
 
-constexpr double legend_height = 66;
-
 }  // namespace
 
 MeshPanel::MeshPanel(const MeshPicture& picture, const Rect& rect, double scale, std::array<double, 2> page_size)
@@ -60,10 +58,8 @@ MeshPanel::MeshPanel(const MeshPicture& picture, const Rect& rect, double scale,
     const Plane plane{picture_.options.up,
                       picture_.options.mirror && scene.geometry == Geometry::axisymmetric};
     model_.height -= panel_title_height(picture_.title, scale);
-    if (picture_.colour_bar || picture_.scale_bar) {
-        model_.y += legend_height * scale;
-        model_.height -= legend_height * scale;
-    }
+    model_.y += picture_.room_below * scale;
+    model_.height -= picture_.room_below * scale;
     std::array<double, 4> shown = box_around(body_boxes(snapshot, plane));
     if (picture_.options.window) {
         const auto& w = *picture_.options.window;
@@ -111,9 +107,9 @@ MeshPanel::MeshPanel(const MeshPicture& picture, const Rect& rect, double scale,
         surface_->update(snapshot.position, body_of_cell, true);
         surface_->set_colours(colours_, {-0.5, static_cast<double>(bodies.size()) - 0.5});
     }
-    const double opacity = std::clamp((cell_pixels(snapshot.setup->mesh, fit_) - 1) / 8, 0.0, 0.9);
+    const double opacity = std::clamp((cell_pixels(snapshot.setup->mesh, fit_) - 1) / 20, 0.0, 0.7);
     surface_->set_edges(picture_.options.edges && opacity > 0.02, opacity);
-    surface_->set_line_widths(std::max(1.0, 0.45 * scale), std::max(1.5, scale));
+    surface_->set_line_widths(2, std::max(2.0, 1.2 * scale));  // two of the page's fine pixels are one of paper
 }
 
 void MeshPanel::paint(Canvas& canvas) const {
@@ -123,17 +119,14 @@ void MeshPanel::paint(Canvas& canvas) const {
     canvas.text(rect_.x + 0.5 * rect_.width, rect_.top() - 12 * s, picture_.title,
                 {15 * s, ink::text, Align::centre, VerticalAlign::centre, true});
     paint_walls(canvas, scene.walls, plane, fit_, model_, s);
-    const double middle = rect_.x + 0.5 * rect_.width;
     if (picture_.colour_bar && picture_.coloured) {
         const FieldInfo field = field_of(scene, picture_.options.field);
-        const double width = std::min(0.9 * rect_.width, 300 * s);
-        paint_colour_bar(canvas, {middle - 0.5 * width, rect_.y, width, legend_height * s}, s, field.title,
+        const double width = std::min(0.6 * model_.width, 300 * s);
+        paint_colour_bar(canvas, {model_.x, model_.y - MeshPicture::colour_bar_room * s, width, MeshPicture::colour_bar_room * s}, s, field.title,
                          field.quantity, range_, scene.units, colour_strip(*colours_));
     }
-    if (picture_.scale_bar) {
-        const double length = round_below(100 * s / fit_.pixels_per_unit) * fit_.pixels_per_unit;
-        paint_scale_bar(canvas, middle + 0.5 * length, rect_.y + 44 * s, s, fit_.pixels_per_unit, scene.units);
-    }
+    if (picture_.scale_bar)
+        paint_scale_bar(canvas, model_.right(), model_.y - 30 * s, s, fit_.pixels_per_unit, scene.units);
 }
 
 }  // namespace percuss::render

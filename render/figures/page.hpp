@@ -53,6 +53,8 @@ struct MeshPicture {
     ViewOptions options;    ///< field, range, colour map, window, mirror, up, edges
     bool coloured = false;  ///< by the field; else each body in a pale colour of its own
     bool colour_bar = false, scale_bar = false;
+    static constexpr double colour_bar_room = 70, scale_bar_room = 48;
+    double room_below = 0;  ///< for the bars, alike in all pictures of a row [pixels at type 1]
 };
 
 struct Table {

@@ -212,7 +212,7 @@ void Plot::show(const Chart& chart, const Rect& rect, double scale, std::optiona
     // them.
     x_title_ = chart.x_title;
     y_title_ = chart.y_title;
-    const double left = y_title_.empty() ? 0 : 22 * scale, below = x_title_.empty() ? 0 : 17 * scale;
+    const double left = y_title_.empty() ? 0 : 22 * scale, below = x_title_.empty() ? 0 : 21 * scale;
     chart_->SetSize(vtkRectf(static_cast<float>(rect.x + left), static_cast<float>(rect.y + below),
                              static_cast<float>(rect.width - left),
                              static_cast<float>(std::max(rect.height - heading - below, 10.0))));
