@@ -13,7 +13,7 @@ struct Difference {
     std::string path;  ///< in summary.json: "contact.impact.peak.axial"
     std::string unit;
     double a = 0, b = 0;
-    [[nodiscard]] double relative() const;  ///< (b - a) / |a|; infinite when only a is 0
+    [[nodiscard]] double relative() const;  ///< b / a - 1: positive when b is the larger in magnitude; infinite when only a is 0
 };
 
 /// What two runs were given and what came of it: parameters, step, peaks and residual forces, final velocities, extents,

@@ -59,7 +59,7 @@ void collect(const Json& a, const Json& b, const std::string& path, const Scene&
 double Difference::relative() const {
     if (a == b) return 0;
     if (a == 0) return std::numeric_limits<double>::infinity();
-    return (b - a) / std::abs(a);
+    return b / a - 1;
 }
 
 std::vector<Difference> compare_runs(const RecordedRun& a, const RecordedRun& b) {

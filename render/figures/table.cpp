@@ -30,6 +30,7 @@ void paint_table(Canvas& canvas, const Table& table, const Rect& rect, double sc
         needed = rect.width;
     }
     const double gap = columns > 1 ? std::min((rect.width - needed) / static_cast<double>(columns - 1), 40 * scale) : 0;
+    const double right = std::min(rect.right(), rect.x + needed + gap * static_cast<double>(columns - 1));
     double y = rect.top() - heading - 0.5 * row;
     const auto paint = [&](const std::vector<std::string>& cells, bool bold) {
         double x = rect.x;
@@ -43,10 +44,10 @@ void paint_table(Canvas& canvas, const Table& table, const Rect& rect, double sc
         y -= row;
     };
     paint(table.header, true);
-    canvas.line(rect.x, y + 0.5 * row, rect.right(), y + 0.5 * row, ink::soft, scale);
+    canvas.line(rect.x, y + 0.5 * row, right, y + 0.5 * row, ink::soft, scale);
     for (const auto& cells : table.rows) {
         paint(cells, false);
-        canvas.line(rect.x, y + 0.5 * row, rect.right(), y + 0.5 * row, ink::grid, scale);
+        canvas.line(rect.x, y + 0.5 * row, right, y + 0.5 * row, ink::grid, scale);
     }
 }
 
