@@ -29,7 +29,8 @@ std::string run_name(const std::string& argument) {
     return path.filename().empty() ? argument : path.filename().string();
 }
 
-void print_table(const std::vector<Difference>& differences, const std::array<std::string, 2>& names, double least) {
+void print_table(const std::vector<Difference>& differences, const std::array<std::string, 2>& names,
+                 double least) {
     std::size_t width = 8;
     std::vector<const Difference*> shown;
     for (const Difference& d : differences)
@@ -37,7 +38,8 @@ void print_table(const std::vector<Difference>& differences, const std::array<st
             shown.push_back(&d);
             width = std::max(width, d.path.size());
         }
-    fmt::print("{:<{}}  {:>8}  {:>12}  {:>12}  {:>9}\n", "quantity", width, "unit", names[0], names[1], "change");
+    fmt::print("{:<{}}  {:>8}  {:>12}  {:>12}  {:>9}\n", "quantity", width, "unit", names[0], names[1],
+               "change");
     for (const Difference* d : shown) {
         const double change = 100 * d->relative();
         fmt::print("{:<{}}  {:>8}  {:>12.5g}  {:>12.5g}  {:>9}\n", d->path, width, d->unit, d->a, d->b,
@@ -52,8 +54,10 @@ int compare(const CompareOptions& options) {
         throw UsageError(fmt::format("--out {}: the name must end in .png", options.out));
     for (const std::string& file : {options.out, options.csv.value_or("")})
         if (!options.force && !file.empty() && std::filesystem::exists(file))
-            throw UsageError(fmt::format("{}: the file exists; choose another, or replace it with --force", file));
-    const RecordedRun a = load_recorded_run(run_file_of(options.a)), b = load_recorded_run(run_file_of(options.b));
+            throw UsageError(
+                fmt::format("{}: the file exists; choose another, or replace it with --force", file));
+    const RecordedRun a = load_recorded_run(run_file_of(options.a)),
+                      b = load_recorded_run(run_file_of(options.b));
     std::array<std::string, 2> names{run_name(options.a), run_name(options.b)};
     if (names[0] == names[1]) names = {options.a, options.b};
     const render::Page page = make_comparison(a, b, names);
@@ -75,9 +79,11 @@ int compare(const CompareOptions& options) {
 
 void add_compare(CLI::App& app, Job& job) {
     auto options = std::make_shared<CompareOptions>();
-    CLI::App& command = *app.add_subcommand("compare", "Two runs on one page: meshes, forces, velocities, energies, numbers");
+    CLI::App& command =
+        *app.add_subcommand("compare", "Two runs on one page: meshes, forces, velocities, energies, numbers");
     command.footer(
-        "The table lists parameters and results that differ, by their paths in summary.json. Peaks are those of the\n"
+        "The table lists parameters and results that differ, by their paths in summary.json. Peaks are those "
+        "of the\n"
         "moving average that the scene's [analysis] sets.");
     command.add_option("A", options->a, "directory of a run, or its run.h5")->required();
     command.add_option("B", options->b, "another one")->required();

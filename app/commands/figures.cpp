@@ -45,10 +45,14 @@ void check_free(const std::filesystem::path& file, bool force) {
 /// Figures that the scene declares or that any run has, each into a file of its own.
 int draw_scene_figures(const FigureOptions& options) {
     if (options.runs.size() > 1)
-        throw UsageError("figures of the scene are drawn of one run; for several name a --column, or use 'percuss compare'");
+        throw UsageError(
+            "figures of the scene are drawn of one run; for several name a --column, or use 'percuss "
+            "compare'");
     for (const std::string& setting : options.settings)
-        if (!setting.starts_with("figure.") && !setting.starts_with("analysis.") && !setting.starts_with("view."))
-            throw UsageError(fmt::format("--set {}: only figure, analysis and view can change after the run", setting));
+        if (!setting.starts_with("figure.") && !setting.starts_with("analysis.") &&
+            !setting.starts_with("view."))
+            throw UsageError(
+                fmt::format("--set {}: only figure, analysis and view can change after the run", setting));
     const std::filesystem::path run_file = run_file_of(options.runs.front());
     const RecordedRun run = load_recorded_run(run_file, options.settings);
     std::vector<FigureSpec> figures = all_figures(run);
@@ -59,7 +63,8 @@ int draw_scene_figures(const FigureOptions& options) {
         for (const std::string& name : options.figures) {
             const auto found = std::find(names.begin(), names.end(), name);
             if (found == names.end())
-                throw UsageError(fmt::format("--figure: unknown figure '{}'{}", name, suggest_name(name, names)));
+                throw UsageError(
+                    fmt::format("--figure: unknown figure '{}'{}", name, suggest_name(name, names)));
             chosen.push_back(figures[static_cast<std::size_t>(found - names.begin())]);
         }
         figures = std::move(chosen);
@@ -68,13 +73,15 @@ int draw_scene_figures(const FigureOptions& options) {
         options.out.empty() ? run_file.parent_path() / "figures" : std::filesystem::path(options.out);
     for (const FigureSpec& figure : figures) check_free(folder / (figure.name + ".png"), options.force);
     const auto context = render::make_offscreen_context();
-    for (const auto& file : draw_run_figures(*context, run, figures, folder)) fmt::print("{}\n", file.string());
+    for (const auto& file : draw_run_figures(*context, run, figures, folder))
+        fmt::print("{}\n", file.string());
     return exit_status::ok;
 }
 
 int draw_figures(const FigureOptions& options) {
     const std::filesystem::path out = options.out;
-    if (!options.figures.empty() || (options.columns.empty() && out.extension().empty())) return draw_scene_figures(options);
+    if (!options.figures.empty() || (options.columns.empty() && out.extension().empty()))
+        return draw_scene_figures(options);
     if (out.extension() != ".png")
         throw UsageError(fmt::format("--out {}: the name must end in .png", options.out));
     check_free(out, options.force);
@@ -109,12 +116,17 @@ void add_figures(CLI::App& app, Job& job) {
     auto options = std::make_shared<FigureOptions>();
     CLI::App& command = *app.add_subcommand("figures", "Figures for print of recorded runs");
     command.footer(
-        "Without --column: the figures that the scene declares in [[figure]], and one of each kind that any run has\n"
-        "(forces, velocities, mesh, clamping, energy), each into DIR/NAME.png; default DIR: figures/ beside run.h5.\n"
-        "With --column: charts of histories of one or several runs in one FILE.png. Columns are those of history.csv,\n"
-        "e.g. contact.impact.axial, energy.kinetic. A run's chart is titled by its step, exact answers are dashed.");
+        "Without --column: the figures that the scene declares in [[figure]], and one of each kind that any "
+        "run has\n"
+        "(forces, velocities, mesh, clamping, energy), each into DIR/NAME.png; default DIR: figures/ beside "
+        "run.h5.\n"
+        "With --column: charts of histories of one or several runs in one FILE.png. Columns are those of "
+        "history.csv,\n"
+        "e.g. contact.impact.axial, energy.kinetic. A run's chart is titled by its step, exact answers are "
+        "dashed.");
     command.add_option("RUN", options->runs, "directories of runs, or their run.h5")->required();
-    command.add_option("--figure", options->figures, "figure of the scene, by name, repeatable; default: all")
+    command
+        .add_option("--figure", options->figures, "figure of the scene, by name, repeatable; default: all")
         ->type_name("NAME")
         ->expected(1)
         ->take_all();

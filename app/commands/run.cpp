@@ -178,7 +178,8 @@ int run(const RunOptions& options) {
     }
     if (options.film) fmt::print("{}\n", *options.film);
     if (!options.no_render)
-        for (const auto& file : draw_declared_figures(out.run_file(), out.figures())) fmt::print("{}\n", file.string());
+        for (const auto& file : draw_declared_figures(out.run_file(), out.figures()))
+            fmt::print("{}\n", file.string());
     if (last->status == RunStatus::diverged) return exit_status::run_failed;
     if (interrupted && last->status != RunStatus::finished) return exit_status::interrupted;
     return kept || !options.strict ? exit_status::ok : exit_status::promise_broken;

@@ -24,26 +24,30 @@ RunPage make_clamping_page(const RecordedRun& run, const FigureSpec& figure) {
     double most = 0;
     const std::vector<std::string> labels = figure.labels.empty() ? figure.columns : figure.labels;
     for (const ContactMeans& pair : analysis.pairs)
-        most = std::max({most, std::abs(pair.peak[figure.direction]), std::abs(pair.residual[figure.direction])});
+        most = std::max(
+            {most, std::abs(pair.peak[figure.direction]), std::abs(pair.residual[figure.direction])});
     const DisplayUnit unit = scene.units.display(Quantity::force, most);
     for (std::size_t k = 0; k < figure.columns.size(); ++k) {
         histories.columns.push_back(fmt::format("contact.{}.{}", figure.columns[k], direction));
-        const auto pair = std::find_if(analysis.pairs.begin(), analysis.pairs.end(),
-                                       [&](const ContactMeans& means) { return means.pair == figure.columns[k]; });
+        const auto pair =
+            std::find_if(analysis.pairs.begin(), analysis.pairs.end(),
+                         [&](const ContactMeans& means) { return means.pair == figure.columns[k]; });
         // Which of the two bodies is the master is no matter of clamping: magnitudes.
         const double peak = unit.scale * std::abs(pair->peak[figure.direction]);
         const double residual = unit.scale * std::abs(pair->residual[figure.direction]);
         bars.groups.push_back(
             {labels[k],
              {peak, residual},
-             {fmt::format("{:.3g} at {}", peak, with_unit(scene.units, Quantity::time, pair->peak_time[figure.direction])),
+             {fmt::format("{:.3g} at {}", peak,
+                          with_unit(scene.units, Quantity::time, pair->peak_time[figure.direction])),
               fmt::format("{:.3g}", residual)}});
     }
     histories.labels = labels;
     RunPage result = make_history_page(run, histories);
     for (render::Curve& curve : std::get<render::Chart>(result.page.panels.front().panel).curves)
         for (double& value : curve.y) value = std::abs(value);
-    bars.series = {"peak", fmt::format("mean from {} on", with_unit(scene.units, Quantity::time, analysis.residual_from))};
+    bars.series = {"peak", fmt::format("mean from {} on",
+                                       with_unit(scene.units, Quantity::time, analysis.residual_from))};
     bars.title = fmt::format("peak of the average over {} and residual",
                              with_unit(scene.units, Quantity::time, analysis.window));
     bars.x_title = titled(histories.value_title, unit.label);

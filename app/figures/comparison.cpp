@@ -20,7 +20,9 @@ struct Ranked {
     double size;
 };
 
-double number(const RecordedRun& run, const std::string& path) { return summary_value(run.summary, path).value_or(0); }
+double number(const RecordedRun& run, const std::string& path) {
+    return summary_value(run.summary, path).value_or(0);
+}
 
 /// The three largest averaged peaks that both runs have, of one direction each.
 std::vector<Ranked> largest_forces(const RecordedRun& a, const RecordedRun& b) {
@@ -29,10 +31,12 @@ std::vector<Ranked> largest_forces(const RecordedRun& a, const RecordedRun& b) {
         for (const std::string& direction : direction_names(a.setup->scene.geometry)) {
             const std::string path = fmt::format("contact.{}.peak.{}", pair.name, direction);
             if (!summary_value(b.summary, path)) continue;
-            forces.push_back({fmt::format("contact.{}.{}", pair.name, direction), pair.name + ", " + direction,
+            forces.push_back({fmt::format("contact.{}.{}", pair.name, direction),
+                              pair.name + ", " + direction,
                               std::max(std::abs(number(a, path)), std::abs(number(b, path)))});
         }
-    std::stable_sort(forces.begin(), forces.end(), [](const Ranked& x, const Ranked& y) { return x.size > y.size; });
+    std::stable_sort(forces.begin(), forces.end(),
+                     [](const Ranked& x, const Ranked& y) { return x.size > y.size; });
     forces.resize(std::min<std::size_t>(forces.size(), 3));
     return forces;
 }
@@ -44,12 +48,15 @@ std::vector<Ranked> largest_velocities(const RecordedRun& a, const RecordedRun& 
     for (const Body& body : a.setup->scene.bodies) {
         const std::string column = fmt::format("body.{}.velocity.{}", body.name, direction);
         const auto& others = b.setup->scene.bodies;
-        if (std::none_of(others.begin(), others.end(), [&](const Body& other) { return other.name == body.name; })) continue;
+        if (std::none_of(others.begin(), others.end(),
+                         [&](const Body& other) { return other.name == body.name; }))
+            continue;
         const std::vector<double> values = a.history->values(column);
         const auto [low, high] = std::minmax_element(values.begin(), values.end());
         bodies.push_back({column, body.name, values.empty() ? 0 : *high - *low});
     }
-    std::stable_sort(bodies.begin(), bodies.end(), [](const Ranked& x, const Ranked& y) { return x.size > y.size; });
+    std::stable_sort(bodies.begin(), bodies.end(),
+                     [](const Ranked& x, const Ranked& y) { return x.size > y.size; });
     bodies.resize(std::min<std::size_t>(bodies.size(), 4));
     return bodies;
 }
@@ -68,7 +75,8 @@ render::Chart chart_of(const RecordedRun& a, const RecordedRun& b, const std::ve
             figure.columns.push_back(column.column);
             figure.labels.push_back(run == &a ? column.label : "");
             for (const RecordedRun* each : {&a, &b})
-                for (const double value : each->history->values(column.column)) most = std::max(most, std::abs(value));
+                for (const double value : each->history->values(column.column))
+                    most = std::max(most, std::abs(value));
         }
         if (columns.empty()) return chart;
         figure.range = {-most, most};
@@ -108,13 +116,16 @@ render::Bars energy_bars(const Snapshot& a, const Snapshot& b, const std::array<
     bars.series = {names[0], names[1]};
     for (const auto& [kind, energy] : of_a) {
         const auto other = of_b.find(kind);
-        if (other == of_b.end() || std::max(std::abs(energy), std::abs(other->second)) < 0.002 * most) continue;
+        if (other == of_b.end() || std::max(std::abs(energy), std::abs(other->second)) < 0.002 * most)
+            continue;
         bars.groups.push_back({kind,
                                {unit.scale * energy, unit.scale * other->second},
-                               {fmt::format("{:.4g}", unit.scale * energy), fmt::format("{:.4g}", unit.scale * other->second)}});
+                               {fmt::format("{:.4g}", unit.scale * energy),
+                                fmt::format("{:.4g}", unit.scale * other->second)}});
     }
-    std::stable_sort(bars.groups.begin(), bars.groups.end(),
-                     [](const auto& x, const auto& y) { return std::abs(x.values[0]) > std::abs(y.values[0]); });
+    std::stable_sort(bars.groups.begin(), bars.groups.end(), [](const auto& x, const auto& y) {
+        return std::abs(x.values[0]) > std::abs(y.values[0]);
+    });
     return bars;
 }
 
@@ -128,8 +139,9 @@ render::Table table_of(const std::vector<Difference>& differences, const std::ar
     constexpr double worth_a_row = 1e-3;
     const auto add = [&](const Difference& d) {
         const double change = 100 * d.relative();
-        table.rows.push_back({d.path, d.unit, short_value(d.a), short_value(d.b),
-                              std::isfinite(change) && std::abs(change) < 1e4 ? fmt::format("{:+.1f} %", change) : ""});
+        table.rows.push_back(
+            {d.path, d.unit, short_value(d.a), short_value(d.b),
+             std::isfinite(change) && std::abs(change) < 1e4 ? fmt::format("{:+.1f} %", change) : ""});
     };
     const auto listed = [&](const Difference& d) {
         if (std::abs(d.relative()) < worth_a_row) return false;
@@ -153,20 +165,24 @@ render::Table table_of(const std::vector<Difference>& differences, const std::ar
 
 void check(const RecordedRun& run, const std::string& name) {
     if (run.summary.empty())
-        throw UsageError(fmt::format("{}: the run did not come to its end and has no summary to compare", name));
-    if (run.history->rows() < 2) throw UsageError(fmt::format("{}: the run has no histories to compare", name));
+        throw UsageError(
+            fmt::format("{}: the run did not come to its end and has no summary to compare", name));
+    if (run.history->rows() < 2)
+        throw UsageError(fmt::format("{}: the run has no histories to compare", name));
 }
 
 }  // namespace
 
-render::Page make_comparison(const RecordedRun& a, const RecordedRun& b, const std::array<std::string, 2>& names) {
+render::Page make_comparison(const RecordedRun& a, const RecordedRun& b,
+                             const std::array<std::string, 2>& names) {
     check(a, names[0]);
     check(b, names[1]);
     const Units &units = a.setup->scene.units, &other = b.setup->scene.units;
     if (units.length_name() != other.length_name() || units.time_name() != other.time_name() ||
         units.mass_name() != other.mass_name() || a.setup->scene.geometry != b.setup->scene.geometry)
-        throw UsageError(fmt::format("{} and {} have different units or geometries; runs of like scenes can be compared",
-                                     names[0], names[1]));
+        throw UsageError(
+            fmt::format("{} and {} have different units or geometries; runs of like scenes can be compared",
+                        names[0], names[1]));
     render::Page page;
     page.title = a.setup->scene.title;
     page.width = 2000;

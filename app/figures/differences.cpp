@@ -38,11 +38,13 @@ std::optional<std::string> unit_of(const std::string& path, const Scene& scene) 
     }
     if (begins(path, "energy_budget.") || path == "energy.initial") return label(Quantity::energy);
     if (path == "energy.maximum_loss" || path == "energy.maximum_growth") return "";
-    if (path == "analysis.pull_out.force" || path == "analysis.pull_out.normal_force") return label(Quantity::force);
+    if (path == "analysis.pull_out.force" || path == "analysis.pull_out.normal_force")
+        return label(Quantity::force);
     return std::nullopt;
 }
 
-void collect(const Json& a, const Json& b, const std::string& path, const Scene& scene, std::vector<Difference>& found) {
+void collect(const Json& a, const Json& b, const std::string& path, const Scene& scene,
+             std::vector<Difference>& found) {
     if (a.is_object() && b.is_object()) {
         for (const auto& [key, value] : a.items()) {
             const auto other = b.find(key);
@@ -51,7 +53,8 @@ void collect(const Json& a, const Json& b, const std::string& path, const Scene&
         return;
     }
     if (!a.is_number() || !b.is_number()) return;
-    if (const auto unit = unit_of(path, scene)) found.push_back({path, *unit, a.get<double>(), b.get<double>()});
+    if (const auto unit = unit_of(path, scene))
+        found.push_back({path, *unit, a.get<double>(), b.get<double>()});
 }
 
 }  // namespace
@@ -75,7 +78,8 @@ std::vector<Difference> compare_runs(const RecordedRun& a, const RecordedRun& b)
 std::string differences_csv(const std::vector<Difference>& differences) {
     std::string csv = "quantity,unit,a,b,difference,relative\n";
     for (const Difference& d : differences)
-        csv += fmt::format("{},{},{:.10g},{:.10g},{:.6g},{:.6g}\n", d.path, d.unit, d.a, d.b, d.b - d.a, d.relative());
+        csv += fmt::format("{},{},{:.10g},{:.10g},{:.6g},{:.6g}\n", d.path, d.unit, d.a, d.b, d.b - d.a,
+                           d.relative());
     return csv;
 }
 

@@ -15,7 +15,8 @@ std::vector<std::filesystem::path> draw_run_figures(render::Context& context, co
         const RunPage made = make_run_page(run, figure);
         const render::Image image = render::draw_page(context, made.page);
         files.push_back(folder / (figure.name + ".png"));
-        write_whole(files.back(), [&](const std::filesystem::path& aside) { render::write_png(image, aside); });
+        write_whole(files.back(),
+                    [&](const std::filesystem::path& aside) { render::write_png(image, aside); });
         if (!made.csv) continue;
         files.push_back(folder / (figure.name + ".csv"));
         write_text_file(files.back(), *made.csv);

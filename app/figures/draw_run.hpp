@@ -8,7 +8,8 @@
 
 namespace percuss::app {
 
-/// Draws figures of a run into NAME.png, and NAME.csv where a figure has numbers of its own. Each file appears whole.
+/// Draws figures of a run into NAME.png, and NAME.csv where a figure has numbers of its own. Each file
+/// appears whole.
 /// @returns the files. @throws UsageError when the run lacks what a figure shows.
 std::vector<std::filesystem::path> draw_run_figures(render::Context& context, const RecordedRun& run,
                                                     const std::vector<FigureSpec>& figures,

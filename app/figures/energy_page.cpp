@@ -80,9 +80,10 @@ RunPage make_energy_page(const RecordedRun& run, const FigureSpec& figure) {
     });
     for (const EnergyShare& share : last) {
         if (std::abs(share.energy) < worth_a_bar * most) break;
-        bars.groups.push_back({name_of(share),
-                               {unit.scale * share.energy},
-                               {fmt::format("{:.3g} ({:.1f} %)", unit.scale * share.energy, 100 * share.energy / most)}});
+        bars.groups.push_back(
+            {name_of(share),
+             {unit.scale * share.energy},
+             {fmt::format("{:.3g} ({:.1f} %)", unit.scale * share.energy, 100 * share.energy / most)}});
     }
     RunPage result;
     result.csv = table_of(times, budgets, scene.units);

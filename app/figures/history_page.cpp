@@ -49,7 +49,7 @@ RunPage make_history_page(const RecordedRun& run, const FigureSpec& figure) {
     const DisplayUnit unit = scene.units.display(quantity, most);
     for (std::size_t k = 0; k < curves.size(); ++k) {
         for (double& value : curves[k]) value *= unit.scale;
-        const std::string label = !figure.labels.empty()        ? figure.labels[k]
+        const std::string label = !figure.labels.empty()       ? figure.labels[k]
                                   : figure.columns.size() == 1 ? ""
                                                                : column_title(figure.columns[k]);
         chart.curves.push_back({label, x, std::move(curves[k]), false});
@@ -63,8 +63,9 @@ RunPage make_history_page(const RecordedRun& run, const FigureSpec& figure) {
         chart.curves.push_back(std::move(reference));
     }
     if (figure.window > 0)
-        chart.title = fmt::format("moving average over {}", with_unit(scene.units, Quantity::time, figure.window));
-    const std::string value_title = !figure.value_title.empty()    ? figure.value_title
+        chart.title =
+            fmt::format("moving average over {}", with_unit(scene.units, Quantity::time, figure.window));
+    const std::string value_title = !figure.value_title.empty()  ? figure.value_title
                                     : figure.columns.size() == 1 ? column_title(figure.columns[0])
                                                                  : figure.title;
     chart.x_title = titled("time", time.label);

@@ -12,7 +12,8 @@ namespace percuss::app {
 namespace {
 
 /// What all pictures show: the asked region, else the box around the bodies in all of them.
-std::array<double, 4> region_of(const FigureSpec& figure, const std::vector<std::shared_ptr<const Snapshot>>& frames) {
+std::array<double, 4> region_of(const FigureSpec& figure,
+                                const std::vector<std::shared_ptr<const Snapshot>>& frames) {
     if (figure.region) return *figure.region;
     constexpr double most = std::numeric_limits<double>::infinity();
     std::array<double, 4> box{most, most, -most, -most};
@@ -28,7 +29,8 @@ std::array<double, 4> region_of(const FigureSpec& figure, const std::vector<std:
 }
 
 /// One range of colours for all pictures.
-std::array<double, 2> range_of(const FigureSpec& figure, const std::vector<std::shared_ptr<const Snapshot>>& frames) {
+std::array<double, 2> range_of(const FigureSpec& figure,
+                               const std::vector<std::shared_ptr<const Snapshot>>& frames) {
     if (figure.range) return *figure.range;
     const FieldInfo field = find_field(frames.front()->setup->scene, figure.field);
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -70,8 +72,8 @@ RunPage make_mesh_page(const RecordedRun& run, const FigureSpec& figure) {
         }
         picture.colour_bar = picture.coloured && k == 0;
         picture.scale_bar = true;
-        picture.room_below = figure.field.empty() ? render::MeshPicture::scale_bar_room
-                                                  : render::MeshPicture::colour_bar_room;
+        picture.room_below =
+            figure.field.empty() ? render::MeshPicture::scale_bar_room : render::MeshPicture::colour_bar_room;
         page.panels.push_back({std::move(picture), {static_cast<double>(k) / count, 0, 1 / count, 1}});
     }
     const bool mirrored = scene.view.mirror && scene.geometry == Geometry::axisymmetric;

@@ -116,7 +116,8 @@ std::string chart_title(const RecordedRun& run, const std::string& column) {
 
 }  // namespace
 
-RecordedRun load_recorded_run(const std::filesystem::path& run_file, const std::vector<std::string>& overrides) {
+RecordedRun load_recorded_run(const std::filesystem::path& run_file,
+                              const std::vector<std::string>& overrides) {
     auto file = std::make_shared<const RunFile>(run_file);
     auto setup = file->setup();
     if (!overrides.empty()) {
@@ -135,7 +136,8 @@ RecordedRun load_recorded_run(const std::filesystem::path& run_file, const std::
 const Trace& trace_of(const RecordedRun& run, const std::string& figure) {
     for (const Trace& trace : run.traces) {
         if (trace.name != figure) continue;
-        if (trace.rows->rows() == 0) throw UsageError(fmt::format("figure '{}': the run recorded no row for it", figure));
+        if (trace.rows->rows() == 0)
+            throw UsageError(fmt::format("figure '{}': the run recorded no row for it", figure));
         return trace;
     }
     throw UsageError(fmt::format("figure '{}' needs what a run records for it; run the scene again", figure));

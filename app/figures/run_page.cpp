@@ -30,7 +30,8 @@ FigureSpec inferred_history(const Scene& scene, const std::string& name, const s
     FigureSpec figure = inferred(FigureKind::history, name, title);
     figure.value_title = title;
     for (const std::string& owner : owners) {
-        figure.columns.push_back(fmt::format("{}.{}.{}{}", kind, owner, quantity, direction_names(scene.geometry)[1]));
+        figure.columns.push_back(
+            fmt::format("{}.{}.{}{}", kind, owner, quantity, direction_names(scene.geometry)[1]));
         figure.labels.push_back(owner);
     }
     return figure;

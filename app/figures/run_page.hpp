@@ -26,8 +26,8 @@ struct RunPage {
 [[nodiscard]] RunPage make_clamping_page(const RecordedRun& run, const FigureSpec& figure);
 [[nodiscard]] RunPage make_energy_page(const RecordedRun& run, const FigureSpec& figure);
 
-/// The scene's figures, and one of each kind that it does not declare and that needs nothing sampled during the run: forces,
-/// velocities, mesh, clamping, energy.
+/// The scene's figures, and one of each kind that it does not declare and that needs nothing sampled during
+/// the run: forces, velocities, mesh, clamping, energy.
 [[nodiscard]] std::vector<FigureSpec> all_figures(const RecordedRun& run);
 
 /// The frame nearest to a time. @throws UsageError when the run has no frame.

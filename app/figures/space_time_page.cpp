@@ -28,12 +28,14 @@ RunPage make_space_time_page(const RecordedRun& run, const FigureSpec& figure) {
     std::vector<double> place = trace.along;
     std::string place_title = "distance along the line";
     if (const auto direction = only_direction(trace)) {
-        for (std::size_t k = 0; k < points; ++k) place[k] = trace.points[k][static_cast<Eigen::Index>(*direction)];
+        for (std::size_t k = 0; k < points; ++k)
+            place[k] = trace.points[k][static_cast<Eigen::Index>(*direction)];
         place_title = "initial " + coordinate_name(scene, *direction);
     }
     const bool falls = place.back() < place.front();
     const auto [least, most_place] = std::minmax_element(place.begin(), place.end());
-    const DisplayUnit length = scene.units.display(Quantity::length, std::max(std::abs(*least), std::abs(*most_place)));
+    const DisplayUnit length =
+        scene.units.display(Quantity::length, std::max(std::abs(*least), std::abs(*most_place)));
 
     render::HeatMap map;
     double most = 0;
@@ -47,7 +49,8 @@ RunPage make_space_time_page(const RecordedRun& run, const FigureSpec& figure) {
     }
     const FieldInfo field = find_field(scene, figure.field);
     const DisplayUnit unit = scene.units.display(
-        field.quantity, figure.range ? std::max(std::abs((*figure.range)[0]), std::abs((*figure.range)[1])) : most);
+        field.quantity,
+        figure.range ? std::max(std::abs((*figure.range)[0]), std::abs((*figure.range)[1])) : most);
     for (double& value : map.values) value *= unit.scale;
     if (falls) std::reverse(place.begin(), place.end());
     for (const double at : place) map.y.push_back(length.scale * at);

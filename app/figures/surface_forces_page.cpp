@@ -32,7 +32,8 @@ std::string table_of(const ForceDensity& density, const Units& units, const std:
 
 RunPage make_surface_forces_page(const RecordedRun& run, const FigureSpec& figure) {
     const Scene& scene = run.setup->scene;
-    ForceDensity density = force_density(trace_of(run, figure.name), figure.direction, figure.along, figure.bins);
+    ForceDensity density =
+        force_density(trace_of(run, figure.name), figure.direction, figure.along, figure.bins);
     for (double& value : density.values) value *= figure.factor;
     const std::size_t bins = density.edges.size() - 1, rows = density.times.size();
     const DisplayUnit time = time_unit(run);

@@ -41,7 +41,8 @@ Json analyse(const Scene& scene, const History& history, Json& contacts) {
     result["window"] = analysis.window;
     result["residual_from"] = analysis.residual_from;
     result["residual_to"] = analysis.residual_to;
-    if (const auto estimate = estimate_pull_out(scene, analysis)) result["pull_out"] = pull_out(scene, *estimate);
+    if (const auto estimate = estimate_pull_out(scene, analysis))
+        result["pull_out"] = pull_out(scene, *estimate);
     return result;
 }
 

@@ -29,7 +29,8 @@ class RunFileWriter {
     RunFileWriter& operator=(const RunFileWriter&) = delete;
 
     void add_frame(const Snapshot& snapshot);
-    /// Appends the rows that came since the last call, every scene.record.history_every-th of them, and those of the traces.
+    /// Appends the rows that came since the last call, every scene.record.history_every-th of them, and those
+    /// of the traces.
     void add_history(const History& history);
     void finish(const std::string& summary_json);
 

@@ -109,7 +109,8 @@ struct RunFile::Impl {
         const auto velocity = row<double>("body_velocity", index, 2 * bodies);
         for (std::size_t b = 0; b < bodies; ++b) snapshot.bodies.push_back({pair_at(velocity, b)});
         if (hdf5::has_object(frames.id(), "body_energies")) {  // not in files of earlier versions
-            const auto of_bodies = row<double>("body_energies", index, layout::body_energy_columns.size() * bodies);
+            const auto of_bodies =
+                row<double>("body_energies", index, layout::body_energy_columns.size() * bodies);
             for (auto e = of_bodies.begin(); e != of_bodies.end(); e += layout::body_energy_columns.size())
                 snapshot.body_energies.push_back({e[0], e[1], e[2], e[3], e[4]});
         }
@@ -138,7 +139,8 @@ struct RunFile::Impl {
             snapshot->plastic_strain = row<double>("plastic_strain", index, cells);
             snapshot->yield_stress = row<double>("yield_stress", index, cells);
         }
-        if (ambient_temperature(setup->scene)) snapshot->temperature = row<double>("temperature", index, cells);
+        if (ambient_temperature(setup->scene))
+            snapshot->temperature = row<double>("temperature", index, cells);
         read_contacts(index, *snapshot);
         read_states(index, *snapshot);
         const std::int32_t status = row<std::int32_t>("status", index, 1).front();

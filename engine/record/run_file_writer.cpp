@@ -228,8 +228,8 @@ struct RunFileWriter::Impl {
         of_bodies.resize(layout::body_energy_columns.size() * snapshot.bodies.size());
         body_energies.append(std::span<const double>(of_bodies));
         const Energies& e = snapshot.energy;
-        const std::array<double, layout::energy_columns.size()> energy{e.kinetic, e.internal, e.hourglass,
-                                                                       e.viscous, e.contact,  e.external, e.plastic};
+        const std::array<double, layout::energy_columns.size()> energy{
+            e.kinetic, e.internal, e.hourglass, e.viscous, e.contact, e.external, e.plastic};
         energies.append(std::span<const double>(energy));
     }
 

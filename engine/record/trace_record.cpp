@@ -8,7 +8,8 @@ namespace {
 using hdf5::Handle;
 using hdf5::Rows;
 
-Rows unit_rows(hid_t group, const char* name, const std::string& unit, std::vector<hsize_t> shape, hsize_t chunk) {
+Rows unit_rows(hid_t group, const char* name, const std::string& unit, std::vector<hsize_t> shape,
+               hsize_t chunk) {
     Rows rows(group, name, H5T_NATIVE_DOUBLE, std::move(shape), chunk);
     hdf5::write_attribute(rows.id(), "unit", unit);
     return rows;

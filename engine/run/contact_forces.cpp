@@ -8,10 +8,22 @@
 
 namespace percuss {
 
+namespace {
+
+std::optional<std::size_t> find_column(const History& history, const std::string& name) {
+    const auto& columns = history.columns();
+    const auto found =
+        std::find_if(columns.begin(), columns.end(), [&](const HistoryColumn& c) { return c.name == name; });
+    if (found == columns.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - columns.begin());
+}
+
+}  // namespace
+
 ContactAnalysis analyse_contacts(const Scene& scene, const History& history) {
     constexpr double windows_in_a_run = 200;
     ContactAnalysis analysis;
-    std::vector<double> times = history.values("time");
+    const std::vector<double> times = history.values("time");
     analysis.window = scene.analysis.window.value_or(scene.duration / windows_in_a_run);
     analysis.residual_to = times.back();
     analysis.residual_from = times.back() - scene.analysis.residual * (times.back() - times.front());
@@ -19,9 +31,10 @@ ContactAnalysis analyse_contacts(const Scene& scene, const History& history) {
     for (const ContactPair& pair : scene.contacts) {
         ContactMeans means{pair.name};
         for (std::size_t d = 0; d < 2; ++d) {
+            const auto column = find_column(history, "contact." + pair.name + "." + directions[d]);
+            if (!column) continue;
             // Rows that came since `times` was read belong to no time of it.
-            std::vector<double> force =
-                history.values(history.column("contact." + pair.name + "." + directions[d]), 0, times.size());
+            std::vector<double> force = history.values(*column, 0, times.size());
             means.residual[d] = mean_between(times, force, analysis.residual_from, analysis.residual_to);
             force = moving_average(times, force, analysis.window);
             const std::size_t peak = largest_magnitude(force);

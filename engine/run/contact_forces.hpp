@@ -20,21 +20,22 @@ struct ContactMeans {
 
 /// Peaks and residual forces as [analysis] asks for them.
 struct ContactAnalysis {
-    double window = 0;                      ///< of the moving average [time]
+    double window = 0;                          ///< of the moving average [time]
     double residual_from = 0, residual_to = 0;  ///< [time]
-    std::vector<ContactMeans> pairs;        ///< in the order of scene.contacts
+    std::vector<ContactMeans> pairs;            ///< in the order of scene.contacts
 };
-/// @pre the history has the scene's columns and at least one row.
+/// Directions without a column in the history stay 0. @pre the history has at least one row.
 [[nodiscard]] ContactAnalysis analyse_contacts(const Scene& scene, const History& history);
 
-/// What it takes to pull a body out by Coulomb's law: friction times the sum, over the pairs of the body, of the magnitude of
-/// the residual force in the first direction (radial, of the full ring; x).
+/// What it takes to pull a body out by Coulomb's law: friction times the sum, over the pairs of the body, of
+/// the magnitude of the residual force in the first direction (radial, of the full ring; x).
 struct PullOutEstimate {
     double friction = 0;
-    double normal_force = 0;  ///< the sum [force]
-    double force = 0;         ///< friction * normal_force [force]
+    double normal_force = 0;                            ///< the sum [force]
+    double force = 0;                                   ///< friction * normal_force [force]
     std::vector<std::pair<std::string, double>> parts;  ///< magnitude by pair [force]
 };
-[[nodiscard]] std::optional<PullOutEstimate> estimate_pull_out(const Scene& scene, const ContactAnalysis& contacts);
+[[nodiscard]] std::optional<PullOutEstimate> estimate_pull_out(const Scene& scene,
+                                                               const ContactAnalysis& contacts);
 
 }  // namespace percuss

@@ -5,11 +5,13 @@
 
 namespace percuss {
 
-ForceDensity force_density(const Trace& trace, std::size_t component, std::optional<std::size_t> along, int bins) {
+ForceDensity force_density(const Trace& trace, std::size_t component, std::optional<std::size_t> along,
+                           int bins) {
     const std::size_t points = trace.points.size(), count = static_cast<std::size_t>(bins);
     std::vector<double> place = trace.along;
     if (along)
-        for (std::size_t k = 0; k < points; ++k) place[k] = trace.points[k][static_cast<Eigen::Index>(*along)];
+        for (std::size_t k = 0; k < points; ++k)
+            place[k] = trace.points[k][static_cast<Eigen::Index>(*along)];
     const auto [least, most] = std::minmax_element(place.begin(), place.end());
     const double low = *least, width = (*most - *least) / bins;
 
@@ -33,7 +35,8 @@ ForceDensity force_density(const Trace& trace, std::size_t component, std::optio
             continue;
         }
         for (std::size_t b = bin_of(from); b <= bin_of(to); ++b) {
-            const double part = (std::min(to, result.edges[b + 1]) - std::max(from, result.edges[b])) / (to - from);
+            const double part =
+                (std::min(to, result.edges[b + 1]) - std::max(from, result.edges[b])) / (to - from);
             if (part > 0) shares.push_back({k, b, part});
         }
     }
@@ -43,7 +46,8 @@ ForceDensity force_density(const Trace& trace, std::size_t component, std::optio
         const std::vector<double> row = trace.rows->table(f, f + 1);
         result.times.push_back(row[0]);
         for (const Share& share : shares)
-            result.values[f * count + share.bin] += share.part * row[1 + 2 * share.point + component] / (width > 0 ? width : 1);
+            result.values[f * count + share.bin] +=
+                share.part * row[1 + 2 * share.point + component] / (width > 0 ? width : 1);
     }
     return result;
 }

@@ -7,7 +7,8 @@
 #include "run/force_error.hpp"
 
 namespace percuss {
-std::vector<double> moving_average(std::span<const double> times, std::span<const double> values, double window) {
+std::vector<double> moving_average(std::span<const double> times, std::span<const double> values,
+                                   double window) {
     assert(times.size() == values.size());
     if (values.size() < 2 || !(window > 0)) return {values.begin(), values.end()};
     const RunningIntegral integral(force_between_midpoints(times, values));

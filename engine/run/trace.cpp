@@ -20,11 +20,14 @@ const MeshBody& body_of(const Mesh& mesh, const std::string& name) {
 }
 
 const Edge& edge_of(const MeshBody& body, const std::string& name) {
-    return *std::find_if(body.edges.begin(), body.edges.end(), [&](const Edge& edge) { return edge.name == name; });
+    return *std::find_if(body.edges.begin(), body.edges.end(),
+                         [&](const Edge& edge) { return edge.name == name; });
 }
 
-/// The stretch of a line inside a convex cell, as parts of the line from 0 to 1 (Cyrus & Beck); a line along a side is inside.
-std::optional<std::array<double, 2>> stretch_in(const Mesh& mesh, const Cell& cell, const Vec2& from, const Vec2& along) {
+/// The stretch of a line inside a convex cell, as parts of the line from 0 to 1 (Cyrus & Beck); a line along
+/// a side is inside.
+std::optional<std::array<double, 2>> stretch_in(const Mesh& mesh, const Cell& cell, const Vec2& from,
+                                                const Vec2& along) {
     std::array<double, 2> stretch{0, 1};
     const auto corners = static_cast<std::size_t>(corner_count(cell));
     for (std::size_t i = 0; i < corners; ++i) {
@@ -45,10 +48,12 @@ std::optional<std::array<double, 2>> stretch_in(const Mesh& mesh, const Cell& ce
     return stretch;
 }
 
-/// The line along the longer direction of a body: on the axis when it has nodes there, else through the middle of its box.
+/// The line along the longer direction of a body: on the axis when it has nodes there, else through the
+/// middle of its box.
 std::array<Vec2, 2> middle_line(const Mesh& mesh, const MeshBody& body, Geometry geometry) {
     Vec2 low = mesh.nodes[static_cast<std::size_t>(body.node_begin)], high = low;
-    for (auto n = static_cast<std::size_t>(body.node_begin); n < static_cast<std::size_t>(body.node_end); ++n) {
+    for (auto n = static_cast<std::size_t>(body.node_begin); n < static_cast<std::size_t>(body.node_end);
+         ++n) {
         low = low.cwiseMin(mesh.nodes[n]);
         high = high.cwiseMax(mesh.nodes[n]);
     }
@@ -91,9 +96,10 @@ void TraceRecorder::add_line(const RunSetup& setup, const FigureSpec& figure) {
         if (stretch) crossings.push_back({cell, (*stretch)[0], (*stretch)[1]});
     }
     if (crossings.empty())
-        throw SceneError({fmt::format("{}: the line of figure '{}' does not cross body '{}'; give ends 'from' and 'to' inside "
-                                      "it, or leave both out",
-                                      describe_place(setup.scene, figure.place), figure.name, figure.body)});
+        throw SceneError({fmt::format(
+            "{}: the line of figure '{}' does not cross body '{}'; give ends 'from' and 'to' inside "
+            "it, or leave both out",
+            describe_place(setup.scene, figure.place), figure.name, figure.body)});
     std::stable_sort(crossings.begin(), crossings.end(),
                      [](const Crossing& a, const Crossing& b) { return a.middle() < b.middle(); });
 
@@ -126,7 +132,8 @@ void TraceRecorder::add_surface(const RunSetup& setup, const FigureSpec& figure)
     for (std::size_t k = 0; k < edge.nodes.size(); ++k) {
         const auto node = static_cast<std::size_t>(edge.nodes[k]);
         recording.surface.place_of_node[node] = static_cast<std::int32_t>(k);
-        trace.along.push_back(k == 0 ? 0 : trace.along.back() + (mesh.nodes[node] - trace.points.back()).norm());
+        trace.along.push_back(k == 0 ? 0
+                                     : trace.along.back() + (mesh.nodes[node] - trace.points.back()).norm());
         trace.points.push_back(mesh.nodes[node]);
     }
     add(figure, setup.scene.duration, std::move(trace), std::move(recording));
@@ -181,7 +188,8 @@ void TraceRecorder::after_step(const Solver& solver, double time) {
         }
         recording.rows->append(row_);
         surface.begin = now;
-        while (now >= static_cast<double>(recording.next + 1) * recording.interval * (1 - 1e-12)) ++recording.next;
+        while (now >= static_cast<double>(recording.next + 1) * recording.interval * (1 - 1e-12))
+            ++recording.next;
     }
 }
 

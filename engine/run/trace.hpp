@@ -15,12 +15,13 @@ class Solver;
 
 /// A quantity recorded over time at a chain of points of a body, for one figure of the scene.
 struct Trace {
-    std::string name;                      ///< of the figure
+    std::string name;  ///< of the figure
     Quantity quantity = Quantity::stress;
-    std::size_t components = 1;            ///< numbers a point: 1 of a field, 2 of a force (first, second direction)
-    std::vector<Vec2> points;              ///< in the undeformed body [length]
-    std::vector<double> along;             ///< per point: distance from the line's start, or arc length of the edge [length]
-    std::shared_ptr<const History> rows;   ///< column "time", then `components` for each point
+    std::size_t components = 1;  ///< numbers a point: 1 of a field, 2 of a force (first, second direction)
+    std::vector<Vec2> points;    ///< in the undeformed body [length]
+    std::vector<double>
+        along;  ///< per point: distance from the line's start, or arc length of the edge [length]
+    std::shared_ptr<const History> rows;  ///< column "time", then `components` for each point
 };
 
 /// Columns of the trace's rows.
@@ -28,12 +29,13 @@ struct Trace {
 
 /// Samples the traces that a scene's figures need while the solver steps.
 ///
-/// A space-time figure gives a field trace: the cells that its line crosses, each at the middle of its stretch; a field of
-/// nodes is the mean of the cell's corners. Rows hold the state at the first step that reaches each multiple of the
-/// interval.
+/// A space-time figure gives a field trace: the cells that its line crosses, each at the middle of its
+/// stretch; a field of nodes is the mean of the cell's corners. Rows hold the state at the first step that
+/// reaches each multiple of the interval.
 ///
-/// A surface-forces figure gives a force trace: contact forces on the nodes of its edge [force], full ring when
-/// axisymmetric. A row is the mean over one interval and stands at its middle: no step's impulse is lost.
+/// A surface-forces figure gives a force trace: contact forces on the nodes of its edge [force], full ring
+/// when axisymmetric. A row is the mean over one interval and stands at its middle: no step's impulse is
+/// lost.
 class TraceRecorder {
   public:
     /// @throws SceneError when a line does not cross its body.

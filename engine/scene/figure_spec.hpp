@@ -19,7 +19,8 @@ enum class FigureKind {
     energy,          ///< where the energy is, over time
 };
 
-/// One figure of a run, as [[figure]] declares it. Numbers are in scene units; what is absent follows from the run.
+/// One figure of a run, as [[figure]] declares it. Numbers are in scene units; what is absent follows from
+/// the run.
 struct FigureSpec {
     std::string name;  ///< of its file
     FigureKind kind = FigureKind::history;
@@ -35,18 +36,20 @@ struct FigureSpec {
     double window = 0;                 ///< of the moving average; 0: none [time]
 
     // mesh, and `times` for profiles of surface_forces
-    std::vector<double> times;                      ///< [time]
-    std::optional<std::array<double, 4>> region;    ///< shown {min, min, max, max} [length]
-    std::string field;                              ///< "" draws the bodies in plain colours
+    std::vector<double> times;                    ///< [time]
+    std::optional<std::array<double, 4>> region;  ///< shown {min, min, max, max} [length]
+    std::string field;                            ///< "" draws the bodies in plain colours
     std::string colour_map = "viridis";
 
     // space_time, surface_forces
-    std::string body, edge;            ///< edge: surface_forces only
-    std::optional<std::array<Vec2, 2>> line;  ///< ends, in the undeformed body; absent: its longer middle line
-    std::optional<double> interval;    ///< simulated time between samples [time]; absent: duration / 400
-    std::size_t direction = 1;         ///< surface_forces: component of the force that is drawn
-    std::optional<std::size_t> along;  ///< coordinate along which forces are counted; absent: arc length of the edge
-    int bins = 40;                     ///< surface_forces: parts of that length
+    std::string body, edge;  ///< edge: surface_forces only
+    std::optional<std::array<Vec2, 2>>
+        line;                        ///< ends, in the undeformed body; absent: its longer middle line
+    std::optional<double> interval;  ///< simulated time between samples [time]; absent: duration / 400
+    std::size_t direction = 1;       ///< surface_forces: component of the force that is drawn
+    std::optional<std::size_t>
+        along;      ///< coordinate along which forces are counted; absent: arc length of the edge
+    int bins = 40;  ///< surface_forces: parts of that length
 
     Place place;
 };

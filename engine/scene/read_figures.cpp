@@ -32,14 +32,16 @@ void check_columns(TableReader& reader, const Scene& scene, const std::vector<st
     if (valid.empty()) return;
     const HistoryColumn* first = nullptr;
     for (const auto& name : columns) {
-        const auto found = std::find_if(valid.begin(), valid.end(), [&](const auto& c) { return c.name == name; });
+        const auto found =
+            std::find_if(valid.begin(), valid.end(), [&](const auto& c) { return c.name == name; });
         if (found == valid.end()) {
             check_name(reader, "columns", "history column", name, names_of(valid));
         } else if (!first) {
             first = &*found;
         } else if (found->quantity != first->quantity) {
-            reader.error("columns", fmt::format("'{}' and '{}' have different units; put them into two figures",
-                                                first->name, found->name));
+            reader.error("columns",
+                         fmt::format("'{}' and '{}' have different units; put them into two figures",
+                                     first->name, found->name));
         }
     }
 }
@@ -72,7 +74,8 @@ void read_colours(TableReader& reader, FigureSpec& figure, const char* map) {
 void read_field(TableReader& reader, const Scene& scene, FigureSpec& figure) {
     const auto field = reader.text("field");
     if (!field) return;
-    if (const auto fault = fault_of_field(scene, "field", *field); !fault.empty()) reader.error("field", fault);
+    if (const auto fault = fault_of_field(scene, "field", *field); !fault.empty())
+        reader.error("field", fault);
     figure.field = *field;
 }
 
@@ -93,8 +96,7 @@ std::optional<std::size_t> read_direction(TableReader& reader, std::string_view 
 }
 
 void read_times(TableReader& reader, const Scene& scene, FigureSpec& figure) {
-    figure.times =
-        reader.list("times", {.low = 0, .high = scene.duration}).value_or(std::vector<double>{});
+    figure.times = reader.list("times", {.low = 0, .high = scene.duration}).value_or(std::vector<double>{});
 }
 
 void read_history(TableReader& reader, const Scene& scene, FigureSpec& figure) {
@@ -129,8 +131,10 @@ void read_space_time(TableReader& reader, const Scene& scene, FigureSpec& figure
     const auto from = reader.numbers("from", 2), to = reader.numbers("to", 2);
     if (from && to) figure.line = {vec2(*from), vec2(*to)};
     if (reader.node().contains("from") != reader.node().contains("to"))
-        reader.error("a line has two ends; write both 'from' and 'to', or neither for the body's middle line");
-    if (from && to && *from == *to) reader.error("to", "the line has no length; 'from' and 'to' are one point");
+        reader.error(
+            "a line has two ends; write both 'from' and 'to', or neither for the body's middle line");
+    if (from && to && *from == *to)
+        reader.error("to", "the line has no length; 'from' and 'to' are one point");
     figure.interval = reader.number("interval", positive);
     read_colours(reader, figure, "coolwarm");
     figure.range = read_interval(reader, "range");
@@ -156,7 +160,8 @@ void read_surface_forces(TableReader& reader, const Scene& scene, FigureSpec& fi
 
 void read_clamping(TableReader& reader, const Scene& scene, FigureSpec& figure) {
     figure.columns = reader.texts("pairs").value_or(names_of(scene.contacts));
-    for (const auto& pair : figure.columns) check_name(reader, "pairs", "contact", pair, names_of(scene.contacts));
+    for (const auto& pair : figure.columns)
+        check_name(reader, "pairs", "contact", pair, names_of(scene.contacts));
     read_labels(reader, figure, "pairs");
     figure.direction = read_direction(reader, "direction", scene).value_or(figure.direction);
     figure.window = reader.number("window", not_negative).value_or(0);
@@ -180,12 +185,23 @@ void read_figure(TableReader& reader, Scene& scene) {
     figure.kind = *kind;
     figure.title = reader.text("title").value_or("");
     switch (figure.kind) {
-        case FigureKind::history: read_history(reader, scene, figure); break;
-        case FigureKind::mesh: read_mesh_figure(reader, scene, figure); break;
-        case FigureKind::space_time: read_space_time(reader, scene, figure); break;
-        case FigureKind::surface_forces: read_surface_forces(reader, scene, figure); break;
-        case FigureKind::clamping: read_clamping(reader, scene, figure); break;
-        case FigureKind::energy: break;
+        case FigureKind::history:
+            read_history(reader, scene, figure);
+            break;
+        case FigureKind::mesh:
+            read_mesh_figure(reader, scene, figure);
+            break;
+        case FigureKind::space_time:
+            read_space_time(reader, scene, figure);
+            break;
+        case FigureKind::surface_forces:
+            read_surface_forces(reader, scene, figure);
+            break;
+        case FigureKind::clamping:
+            read_clamping(reader, scene, figure);
+            break;
+        case FigureKind::energy:
+            break;
     }
     reader.finish();
     scene.figures.push_back(std::move(figure));
@@ -217,8 +233,8 @@ void read_figures(TableReader& root, Scene& scene) {
 void read_analysis(TableReader& root, Scene& scene) {
     auto reader = root.table("analysis");
     if (!reader) return;
-    scene.analysis.residual = reader->number("residual", {.low = 0, .high = 1, .low_open = true})
-                                  .value_or(scene.analysis.residual);
+    scene.analysis.residual =
+        reader->number("residual", {.low = 0, .high = 1, .low_open = true}).value_or(scene.analysis.residual);
     scene.analysis.window = reader->number("window", not_negative);
     if (auto pull = reader->table("pull_out")) read_pull_out(*pull, scene);
     reader->finish();

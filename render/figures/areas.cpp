@@ -8,8 +8,9 @@ namespace percuss::render {
 
 unsigned area_colour(std::size_t index) {
     // Okabe & Ito's colours and lighter ones of them, neighbours apart in lightness.
-    static constexpr std::array<Colour, 12> palette{0x0072b2, 0xe69f00, 0x009e73, 0xd55e00, 0x56b4e9, 0xcc79a7,
-                                                    0xf0e442, 0x7f8a96, 0x80b9d9, 0xf3cf80, 0x80cfb9, 0xeaaf80};
+    static constexpr std::array<Colour, 12> palette{0x0072b2, 0xe69f00, 0x009e73, 0xd55e00,
+                                                    0x56b4e9, 0xcc79a7, 0xf0e442, 0x7f8a96,
+                                                    0x80b9d9, 0xf3cf80, 0x80cfb9, 0xeaaf80};
     return palette[index % palette.size()];
 }
 

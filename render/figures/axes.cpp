@@ -8,11 +8,13 @@ namespace percuss::render {
 namespace {
 
 Ticks x_ticks(const Axes& axes) {
-    return make_ticks(axes.x[0], axes.x[1], std::clamp(static_cast<int>(axes.area.width / (75 * axes.scale)), 2, 10));
+    return make_ticks(axes.x[0], axes.x[1],
+                      std::clamp(static_cast<int>(axes.area.width / (75 * axes.scale)), 2, 10));
 }
 
 Ticks y_ticks(const Axes& axes) {
-    return make_ticks(axes.y[0], axes.y[1], std::clamp(static_cast<int>(axes.area.height / (50 * axes.scale)), 2, 10));
+    return make_ticks(axes.y[0], axes.y[1],
+                      std::clamp(static_cast<int>(axes.area.height / (50 * axes.scale)), 2, 10));
 }
 
 }  // namespace

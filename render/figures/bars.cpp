@@ -27,13 +27,15 @@ void paint_bars(Canvas& canvas, const Bars& bars, const Rect& rect, double scale
     // The texts stand beyond the bars' ends, inside the area.
     const Rect area{rect.x + label + 2 * gap, rect.y + below, std::max(rect.width - label - 3 * gap, 10.0),
                     std::max(rect.height - heading - below - gap, 10.0)};
-    const double room = text + 2 * gap, fill = std::max(area.width - (low < 0 ? room : 0) - (high > 0 ? room : 0), 10.0);
+    const double room = text + 2 * gap,
+                 fill = std::max(area.width - (low < 0 ? room : 0) - (high > 0 ? room : 0), 10.0);
     const double per_pixel = (high - low) / fill;
     const Axes axes{area,
                     {low - (low < 0 ? room * per_pixel : 0), high + (high > 0 ? room * per_pixel : 0)},
                     {0, 1},
                     scale};
-    const Ticks ticks = make_ticks(axes.x[0], axes.x[1], std::clamp(static_cast<int>(area.width / (90 * scale)), 2, 8));
+    const Ticks ticks =
+        make_ticks(axes.x[0], axes.x[1], std::clamp(static_cast<int>(area.width / (90 * scale)), 2, 8));
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
         const double x = axes.to_x(ticks.values[i]);
         canvas.line(x, area.y, x, area.top(), ink::grid, scale);

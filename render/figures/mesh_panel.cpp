@@ -19,7 +19,8 @@ namespace {
 
 /// One pale colour a body: the mesh's lines stay readable on it.
 vtkSmartPointer<vtkLookupTable> body_colours(std::size_t bodies) {
-    constexpr std::array<Colour, 7> pale{0xdbe6ef, 0xf6e3c5, 0xd3ebe2, 0xf3d9cc, 0xd9eef9, 0xf0dfe8, 0xe6e8ea};
+    constexpr std::array<Colour, 7> pale{0xdbe6ef, 0xf6e3c5, 0xd3ebe2, 0xf3d9cc,
+                                         0xd9eef9, 0xf0dfe8, 0xe6e8ea};
     auto table = vtkSmartPointer<vtkLookupTable>::New();
     table->SetNumberOfTableValues(static_cast<vtkIdType>(std::max<std::size_t>(bodies, 1)));
     for (std::size_t b = 0; b < std::max<std::size_t>(bodies, 1); ++b) {
@@ -51,8 +52,13 @@ double cell_pixels(const Mesh& mesh, const Fit& fit) {
 
 }  // namespace
 
-MeshPanel::MeshPanel(const MeshPicture& picture, const Rect& rect, double scale, std::array<double, 2> page_size)
-    : picture_(picture), rect_(rect), model_(rect), scale_(scale), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+MeshPanel::MeshPanel(const MeshPicture& picture, const Rect& rect, double scale,
+                     std::array<double, 2> page_size)
+    : picture_(picture),
+      rect_(rect),
+      model_(rect),
+      scale_(scale),
+      renderer_(vtkSmartPointer<vtkRenderer>::New()) {
     const Snapshot& snapshot = *picture_.snapshot;
     const Scene& scene = snapshot.setup->scene;
     const Plane plane{picture_.options.up,
@@ -67,12 +73,15 @@ MeshPanel::MeshPanel(const MeshPicture& picture, const Rect& rect, double scale,
         shown = {a[0], a[1], b[0], b[1]};
         // A window from the axis outwards shows the mirrored half as well.
         if (plane.mirrored && shown[plane.mirror_axis()] <= 0)
-            shown[plane.mirror_axis()] = std::min(shown[plane.mirror_axis()], -shown[plane.mirror_axis() + 2]);
+            shown[plane.mirror_axis()] =
+                std::min(shown[plane.mirror_axis()], -shown[plane.mirror_axis() + 2]);
     }
     fit_ = fit_box(shown, model_, {4 * scale, 4 * scale});
-    // Nothing beyond the window: neighbours show the same part of the model, whatever their rectangles' shapes.
+    // Nothing beyond the window: neighbours show the same part of the model, whatever their rectangles'
+    // shapes.
     const auto low = fit_(std::array{shown[0], shown[1]}), high = fit_(std::array{shown[2], shown[3]});
-    model_ = {low[0] - 2 * scale, low[1] - 2 * scale, high[0] - low[0] + 4 * scale, high[1] - low[1] + 4 * scale};
+    model_ = {low[0] - 2 * scale, low[1] - 2 * scale, high[0] - low[0] + 4 * scale,
+              high[1] - low[1] + 4 * scale};
 
     renderer_->SetLayer(1);
     renderer_->SetBackground(1, 1, 1);
@@ -101,7 +110,8 @@ MeshPanel::MeshPanel(const MeshPicture& picture, const Rect& rect, double scale,
         std::vector<double> body_of_cell;
         const auto& bodies = snapshot.setup->mesh.bodies;
         for (std::size_t b = 0; b < bodies.size(); ++b)
-            body_of_cell.insert(body_of_cell.end(), static_cast<std::size_t>(bodies[b].cell_end - bodies[b].cell_begin),
+            body_of_cell.insert(body_of_cell.end(),
+                                static_cast<std::size_t>(bodies[b].cell_end - bodies[b].cell_begin),
                                 static_cast<double>(b));
         colours_ = body_colours(bodies.size());
         surface_->update(snapshot.position, body_of_cell, true);
@@ -109,12 +119,14 @@ MeshPanel::MeshPanel(const MeshPicture& picture, const Rect& rect, double scale,
     }
     const double opacity = std::clamp((cell_pixels(snapshot.setup->mesh, fit_) - 1) / 20, 0.0, 0.7);
     surface_->set_edges(picture_.options.edges && opacity > 0.02, opacity);
-    surface_->set_line_widths(2, std::max(2.0, 1.2 * scale));  // two of the page's fine pixels are one of paper
+    surface_->set_line_widths(2,
+                              std::max(2.0, 1.2 * scale));  // two of the page's fine pixels are one of paper
 }
 
 void MeshPanel::paint(Canvas& canvas) const {
     const Scene& scene = picture_.snapshot->setup->scene;
-    const Plane plane{picture_.options.up, picture_.options.mirror && scene.geometry == Geometry::axisymmetric};
+    const Plane plane{picture_.options.up,
+                      picture_.options.mirror && scene.geometry == Geometry::axisymmetric};
     const double s = scale_;
     canvas.text(rect_.x + 0.5 * rect_.width, rect_.top() - 12 * s, picture_.title,
                 {15 * s, ink::text, Align::centre, VerticalAlign::centre, true});
@@ -122,8 +134,10 @@ void MeshPanel::paint(Canvas& canvas) const {
     if (picture_.colour_bar && picture_.coloured) {
         const FieldInfo field = field_of(scene, picture_.options.field);
         const double width = std::min(0.6 * model_.width, 300 * s);
-        paint_colour_bar(canvas, {model_.x, model_.y - MeshPicture::colour_bar_room * s, width, MeshPicture::colour_bar_room * s}, s, field.title,
-                         field.quantity, range_, scene.units, colour_strip(*colours_));
+        paint_colour_bar(
+            canvas,
+            {model_.x, model_.y - MeshPicture::colour_bar_room * s, width, MeshPicture::colour_bar_room * s},
+            s, field.title, field.quantity, range_, scene.units, colour_strip(*colours_));
     }
     if (picture_.scale_bar)
         paint_scale_bar(canvas, model_.right(), model_.y - 30 * s, s, fit_.pixels_per_unit, scene.units);

@@ -32,8 +32,8 @@ Image draw_page(Context& context, const Page& page) {
     // Charts and painted panels; meshes, each clipped to its rectangle; ink upon meshes.
     vtkNew<vtkRenderer> ground, overlay;
     vtkNew<vtkContextActor> ground_actor, overlay_actor;
-    for (const auto& [renderer, actor, layer] :
-         {std::tuple{ground.Get(), ground_actor.Get(), 0}, std::tuple{overlay.Get(), overlay_actor.Get(), 2}}) {
+    for (const auto& [renderer, actor, layer] : {std::tuple{ground.Get(), ground_actor.Get(), 0},
+                                                 std::tuple{overlay.Get(), overlay_actor.Get(), 2}}) {
         renderer->SetLayer(layer);
         renderer->SetBackground(1, 1, 1);
         renderer->AddActor(actor);
@@ -49,7 +49,8 @@ Image draw_page(Context& context, const Page& page) {
     };
     const double pad = 14 * scale, top = page.title.empty() ? pad : 48 * scale;
     paint_on(*ground_actor->GetScene(), [&page, pad, top, height, scale](Canvas& canvas) {
-        canvas.text(pad, height - 0.5 * top, page.title, {20 * scale, ink::text, Align::left, VerticalAlign::centre, true});
+        canvas.text(pad, height - 0.5 * top, page.title,
+                    {20 * scale, ink::text, Align::left, VerticalAlign::centre, true});
     });
 
     std::vector<std::unique_ptr<Plot>> plots;
@@ -62,30 +63,32 @@ Image draw_page(Context& context, const Page& page) {
         // Neighbours keep their distance.
         rect = {rect.x + 0.4 * pad, rect.y + 0.4 * pad, rect.width - 0.8 * pad, rect.height - 0.8 * pad};
         vtkContextScene& scene = *ground_actor->GetScene();
-        std::visit(Overloaded{[&](const Chart& chart) {
-                                  plots.push_back(std::make_unique<Plot>(scene, false));
-                                  plots.back()->show(chart, rect, scale);
-                              },
-                              [&](const HeatMap& map) {
-                                  paint_on(scene, [&map, rect, scale](Canvas& c) { paint_heat_map(c, map, rect, scale); });
-                              },
-                              [&](const StackedAreas& areas) {
-                                  paint_on(scene, [&areas, rect, scale](Canvas& c) { paint_areas(c, areas, rect, scale); });
-                              },
-                              [&](const Bars& bars) {
-                                  paint_on(scene, [&bars, rect, scale](Canvas& c) { paint_bars(c, bars, rect, scale); });
-                              },
-                              [&](const Table& table) {
-                                  paint_on(scene, [&table, rect, scale](Canvas& c) { paint_table(c, table, rect, scale); });
-                              },
-                              [&](const MeshPicture& picture) {
-                                  meshes.push_back(
-                                      std::make_unique<MeshPanel>(picture, rect, scale, std::array{width, height}));
-                                  window->AddRenderer(meshes.back()->renderer());
-                                  const MeshPanel* mesh = meshes.back().get();
-                                  paint_on(*overlay_actor->GetScene(), [mesh](Canvas& c) { mesh->paint(c); });
-                              }},
-                   placed.panel);
+        std::visit(
+            Overloaded{
+                [&](const Chart& chart) {
+                    plots.push_back(std::make_unique<Plot>(scene, false));
+                    plots.back()->show(chart, rect, scale);
+                },
+                [&](const HeatMap& map) {
+                    paint_on(scene, [&map, rect, scale](Canvas& c) { paint_heat_map(c, map, rect, scale); });
+                },
+                [&](const StackedAreas& areas) {
+                    paint_on(scene, [&areas, rect, scale](Canvas& c) { paint_areas(c, areas, rect, scale); });
+                },
+                [&](const Bars& bars) {
+                    paint_on(scene, [&bars, rect, scale](Canvas& c) { paint_bars(c, bars, rect, scale); });
+                },
+                [&](const Table& table) {
+                    paint_on(scene, [&table, rect, scale](Canvas& c) { paint_table(c, table, rect, scale); });
+                },
+                [&](const MeshPicture& picture) {
+                    meshes.push_back(
+                        std::make_unique<MeshPanel>(picture, rect, scale, std::array{width, height}));
+                    window->AddRenderer(meshes.back()->renderer());
+                    const MeshPanel* mesh = meshes.back().get();
+                    paint_on(*overlay_actor->GetScene(), [mesh](Canvas& c) { mesh->paint(c); });
+                }},
+            placed.panel);
     }
     window->AddRenderer(overlay);
     Image image = window->grab();

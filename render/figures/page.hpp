@@ -15,9 +15,10 @@ namespace percuss::render {
 /// Values over two axes as colours, with a colour bar.
 struct HeatMap {
     std::string title, x_title, y_title, value_title;  ///< with units
-    std::vector<double> x, y;    ///< ascending places of the samples; each fills to half way to its neighbours
+    std::vector<double> x, y;  ///< ascending places of the samples; each fills to half way to its neighbours
     std::vector<double> values;  ///< x.size() * y.size(), y running fastest; NaN stays white
-    std::optional<std::array<double, 2>> x_range, y_range, range;  ///< range absent: of the values, for "coolwarm" symmetric
+    std::optional<std::array<double, 2>> x_range, y_range,
+        range;  ///< range absent: of the values, for "coolwarm" symmetric
     std::string colour_map = "viridis";
 };
 
@@ -37,8 +38,8 @@ struct StackedAreas {
 struct Bars {
     struct Group {
         std::string label;
-        std::vector<double> values;     ///< one a series
-        std::vector<std::string> texts; ///< written at the ends of the bars
+        std::vector<double> values;      ///< one a series
+        std::vector<std::string> texts;  ///< written at the ends of the bars
     };
     std::string title, x_title;
     std::vector<std::string> series;  ///< for the legend; one series needs none
@@ -69,7 +70,8 @@ using Panel = std::variant<Chart, HeatMap, StackedAreas, Bars, MeshPicture, Tabl
 struct Page {
     struct Placed {
         Panel panel;
-        std::array<double, 4> place{0, 0, 1, 1};  ///< left, top, width, height: fractions of the sheet below its title
+        std::array<double, 4> place{0, 0, 1,
+                                    1};  ///< left, top, width, height: fractions of the sheet below its title
     };
     std::string title;
     std::vector<Placed> panels;

@@ -21,7 +21,8 @@ void paint_table(Canvas& canvas, const Table& table, const Rect& rect, double sc
 /// The mesh of a MeshPicture: its own renderer, clipped to its part of the page, and ink around it.
 class MeshPanel {
   public:
-    /// @param window of the page. @param page_size pixels. @throws RenderError for an unknown field or colour map.
+    /// @param window of the page. @param page_size pixels. @throws RenderError for an unknown field or colour
+    /// map.
     MeshPanel(const MeshPicture& picture, const Rect& rect, double scale, std::array<double, 2> page_size);
     [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
     void paint(Canvas& canvas) const;

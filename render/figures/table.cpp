@@ -29,7 +29,8 @@ void paint_table(Canvas& canvas, const Table& table, const Rect& rect, double sc
         for (double& width : widths) width *= shrink;
         needed = rect.width;
     }
-    const double gap = columns > 1 ? std::min((rect.width - needed) / static_cast<double>(columns - 1), 40 * scale) : 0;
+    const double gap =
+        columns > 1 ? std::min((rect.width - needed) / static_cast<double>(columns - 1), 40 * scale) : 0;
     const double right = std::min(rect.right(), rect.x + needed + gap * static_cast<double>(columns - 1));
     double y = rect.top() - heading - 0.5 * row;
     const auto paint = [&](const std::vector<std::string>& cells, bool bold) {

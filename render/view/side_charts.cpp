@@ -21,9 +21,9 @@ struct ChartCurve {
 };
 
 const FigureSpec* history_figure(const Scene& scene, const std::string& name) {
-    const auto found = std::find_if(scene.figures.begin(), scene.figures.end(), [&](const FigureSpec& figure) {
-        return figure.kind == FigureKind::history && figure.name == name;
-    });
+    const auto found = std::find_if(
+        scene.figures.begin(), scene.figures.end(),
+        [&](const FigureSpec& figure) { return figure.kind == FigureKind::history && figure.name == name; });
     return found == scene.figures.end() ? nullptr : &*found;
 }
 
@@ -139,7 +139,8 @@ Chart make_side_chart(const std::string& name, const Scene& scene, const History
     const double span = high > low ? unit.scale * (high - low) : 1;
     chart.y_range = {low < 0 ? unit.scale * low - 0.08 * span : -0.03 * span,
                      high > 0 ? unit.scale * high + 0.08 * span : 0.03 * span};
-    if (figure && figure->range) chart.y_range = {unit.scale * (*figure->range)[0], unit.scale * (*figure->range)[1]};
+    if (figure && figure->range)
+        chart.y_range = {unit.scale * (*figure->range)[0], unit.scale * (*figure->range)[1]};
     chart.x_range = {0, std::max(time_unit.scale * end_of_run(scene, times), 1e-300)};
     chart.title = unit.label.empty() ? title : fmt::format("{} [{}]", title, unit.label);
     chart.x_title = fmt::format("time [{}]", time_unit.label);

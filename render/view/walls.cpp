@@ -9,7 +9,8 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// The part of a line through `at` along `along` that lies in the rectangle (Liang & Barsky), as distances from `at`.
+/// The part of a line through `at` along `along` that lies in the rectangle (Liang & Barsky), as distances
+/// from `at`.
 std::optional<std::array<double, 2>> inside(const Rect& area, const Point& at, const Point& along,
                                             std::array<double, 2> part) {
     const std::array<double, 2> low{area.x, area.y}, high{area.right(), area.top()};
@@ -36,13 +37,14 @@ void paint_wall(Canvas& canvas, Point at, const Point& normal, const Rect& area,
     };
     const double pitch = 9 * scale, length = 12 * scale;
     const Point hatch{-0.707 * normal[0] - 0.707 * along[0], -0.707 * normal[1] - 0.707 * along[1]};
-    // Hatches stand at multiples of the pitch from the wall's point, so that they rest while the window moves over them.
+    // Hatches stand at multiples of the pitch from the wall's point, so that they rest while the window moves
+    // over them.
     for (double s = std::ceil((*shown)[0] / pitch) * pitch; s < (*shown)[1]; s += pitch) {
         const Point from = point(s);
         const auto part = inside(area, from, hatch, {0, length});
         if (part)
-            canvas.line(from[0], from[1], from[0] + (*part)[1] * hatch[0], from[1] + (*part)[1] * hatch[1], ink::soft,
-                        scale);
+            canvas.line(from[0], from[1], from[0] + (*part)[1] * hatch[0], from[1] + (*part)[1] * hatch[1],
+                        ink::soft, scale);
     }
     const Point a = point((*shown)[0]), b = point((*shown)[1]);
     canvas.line(a[0], a[1], b[0], b[1], ink::text, 2.4 * scale);
@@ -50,8 +52,8 @@ void paint_wall(Canvas& canvas, Point at, const Point& normal, const Rect& area,
 
 }  // namespace
 
-void paint_walls(Canvas& canvas, const std::vector<Wall>& walls, const Plane& plane, const Fit& fit, const Rect& area,
-                 double scale) {
+void paint_walls(Canvas& canvas, const std::vector<Wall>& walls, const Plane& plane, const Fit& fit,
+                 const Rect& area, double scale) {
     for (const Wall& wall : walls) {
         Point at = plane(wall.point.x(), wall.point.y()), normal = plane(wall.normal.x(), wall.normal.y());
         paint_wall(canvas, fit(at), normal, area, scale);

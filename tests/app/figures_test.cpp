@@ -90,8 +90,8 @@ TEST_F(FiguresTest, AnyRunHasFiguresThatNeedNoDeclaration) {
     EXPECT_FALSE(exists("out/figures"));
     const Outcome outcome = run({"figures", "out"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_THAT(files("out/figures"), UnorderedElementsAre("forces.png", "velocities.png", "mesh.png", "clamping.png",
-                                                           "energy.png", "energy.csv"));
+    EXPECT_THAT(files("out/figures"), UnorderedElementsAre("forces.png", "velocities.png", "mesh.png",
+                                                           "clamping.png", "energy.png", "energy.csv"));
     EXPECT_EQ(run({"figures", "out"}).status, 2);
     EXPECT_EQ(run({"figures", "out", "--force"}).status, 0);
 }
@@ -99,7 +99,9 @@ TEST_F(FiguresTest, AnyRunHasFiguresThatNeedNoDeclaration) {
 TEST_F(FiguresTest, OneFigureCanBeDrawnAnewWithOtherKeys) {
     ASSERT_EQ(run({"run", "scene.toml", "--out", "out", "--no-render"}).status, 0);
     ASSERT_EQ(run({"figures", "out", "--figure", "force", "--out", "a"}).status, 0);
-    ASSERT_EQ(run({"figures", "out", "--figure", "force", "--out", "b", "--set", "figure.force.factor=1"}).status, 0);
+    ASSERT_EQ(
+        run({"figures", "out", "--figure", "force", "--out", "b", "--set", "figure.force.factor=1"}).status,
+        0);
     EXPECT_THAT(files("a"), UnorderedElementsAre("force.png"));
     EXPECT_NE(render::read_png(path("a/force.png")).pixels, render::read_png(path("b/force.png")).pixels);
     const Outcome wrong = run({"figures", "out", "--figure", "farce", "--out", "c"});
@@ -111,13 +113,18 @@ TEST_F(FiguresTest, OneFigureCanBeDrawnAnewWithOtherKeys) {
 }
 
 TEST_F(FiguresTest, CompareTellsWhatDiffers) {
-    write("scene.toml", std::string(test::small_scene) + "[parameters]\nspeed = { value = 1, unit = \"m/s\" }\n");
-    ASSERT_EQ(run({"run", "scene.toml", "--out", "slow", "--no-render", "--set", "body.striker.velocity.1='= -speed'"}).status, 0);
-    ASSERT_EQ(run({"run", "scene.toml", "--out", "fast", "--no-render", "--set", "body.striker.velocity.1='= -speed'", "--set",
-                   "parameters.speed=2"})
+    write("scene.toml",
+          std::string(test::small_scene) + "[parameters]\nspeed = { value = 1, unit = \"m/s\" }\n");
+    ASSERT_EQ(run({"run", "scene.toml", "--out", "slow", "--no-render", "--set",
+                   "body.striker.velocity.1='= -speed'"})
                   .status,
               0);
-    const Outcome outcome = run({"compare", "slow", "fast/run.h5", "--out", "page.png", "--csv", "table.csv"});
+    ASSERT_EQ(run({"run", "scene.toml", "--out", "fast", "--no-render", "--set",
+                   "body.striker.velocity.1='= -speed'", "--set", "parameters.speed=2"})
+                  .status,
+              0);
+    const Outcome outcome =
+        run({"compare", "slow", "fast/run.h5", "--out", "page.png", "--csv", "table.csv"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_THAT(outcome.out, testing::ContainsRegex("parameters.speed +m/s +1 +2 +\\+100.0 %"));
     EXPECT_THAT(test::text_of(path("table.csv")), HasSubstr("parameters.speed,m/s,1,2,1,1\n"));

@@ -77,7 +77,8 @@ TEST(Page, BarsAreAsLongAsTheirValues) {
     bars.groups = {{"a", {10}, {"10"}}, {"b", {5}, {"5"}}};
     const Image image = draw_page(*context, page_of(bars));
     const auto of_bars = [](int r, int g, int b) { return r < 40 && std::abs(g - 0x72) < 20 && b > 140; };
-    const int longer = count_pixels(image, {0, 0, 800, 225}, of_bars), shorter = count_pixels(image, {0, 225, 800, 500}, of_bars);
+    const int longer = count_pixels(image, {0, 0, 800, 225}, of_bars),
+              shorter = count_pixels(image, {0, 225, 800, 500}, of_bars);
     EXPECT_GT(shorter, 2000);
     EXPECT_NEAR(static_cast<double>(longer) / shorter, 2, 0.1);
 }
@@ -90,7 +91,8 @@ TEST(Page, ATableLeavesInkInEachRow) {
     const Image full = draw_page(*context, page_of(table));
     table.rows.resize(3);
     const Image half = draw_page(*context, page_of(table));
-    const int of_full = count_pixels(full, {0, 0, 800, 500}, dark), of_half = count_pixels(half, {0, 0, 800, 500}, dark);
+    const int of_full = count_pixels(full, {0, 0, 800, 500}, dark),
+              of_half = count_pixels(half, {0, 0, 800, 500}, dark);
     EXPECT_GT(of_half, 200);
     EXPECT_GT(of_full, 1.4 * of_half);
 }

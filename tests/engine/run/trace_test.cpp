@@ -12,7 +12,6 @@
 namespace percuss {
 namespace {
 
-
 using ::testing::ElementsAre;
 
 std::string with(const std::string& figure) { return testing::small_scene + figure; }
@@ -65,28 +64,34 @@ TEST(TraceRecorder, ALineBesideItsBodyIsAFaultWithItsPlace) {
         FAIL() << "a line beside the body was taken";
     } catch (const SceneError& error) {
         EXPECT_STREQ(error.what(),
-                     "scene.toml:44:1: the line of figure 'waves' does not cross body 'rod'; give ends 'from' and 'to' "
+                     "scene.toml:45:1: the line of figure 'waves' does not cross body 'rod'; give ends "
+                     "'from' and 'to' "
                      "inside it, or leave both out");
     }
 }
 
 /// Runs to the end; fields sampled by traces against those of frames at the same steps.
 struct WholeRun {
-    explicit WholeRun(const std::string& text) : engine(parse_scene(text, "scene.toml", {}), options(frames)) {
+    explicit WholeRun(const std::string& text)
+        : engine(parse_scene(text, "scene.toml", {}), options(frames)) {
         engine.post(command::Run{});
         engine.wait();
     }
     static EngineOptions options(std::vector<std::shared_ptr<const Snapshot>>& frames) {
         EngineOptions options;
         options.frame_interval = 0.001;
-        options.on_frame = [&frames](std::shared_ptr<const Snapshot> frame) { frames.push_back(std::move(frame)); };
+        options.on_frame = [&frames](std::shared_ptr<const Snapshot> frame) {
+            frames.push_back(std::move(frame));
+        };
         return options;
     }
     std::vector<std::shared_ptr<const Snapshot>> frames;
     Engine engine;
 };
 
-std::string short_run(std::string text) { return testing::changed(std::move(text), "duration = 0.1", "duration = 0.005"); }
+std::string short_run(std::string text) {
+    return testing::changed(std::move(text), "duration = 0.1", "duration = 0.005");
+}
 
 TEST(TraceRecorder, RowsHoldTheFieldsOfTheFramesOfTheirTimes) {
     WholeRun run(short_run(with(space_time + "from = [0.5, 0.5]\nto = [0.5, 7.5]\ninterval = 0.001\n")));
@@ -151,7 +156,8 @@ TEST(ForceDensity, BinsTimesWidthsGiveTheWholeForceWhateverTheBins) {
     trace.rows = rows;
     for (const auto along : {std::optional<std::size_t>(), std::optional<std::size_t>(1)})
         for (const int bins : {2, 7, 40}) {
-            const ForceDensity radial = force_density(trace, 0, along, bins), axial = force_density(trace, 1, along, bins);
+            const ForceDensity radial = force_density(trace, 0, along, bins),
+                               axial = force_density(trace, 1, along, bins);
             double sum = 0, other = 0;
             for (std::size_t b = 0; b < static_cast<std::size_t>(bins); ++b) {
                 sum += radial.values[b] * (radial.edges[b + 1] - radial.edges[b]);
