@@ -73,8 +73,7 @@ Solver::Solver(Scene scene, int threads)
     evaluate_critical_step();
     statistics_.critical_step_initial = statistics_.critical_step_min = state_.critical_step;
     check_fixed_step(step_size_);
-    // Node by node: held and driven nodes do not have their body's velocity; nodes of walls belong to no
-    // body.
+    // Node by node: held and driven nodes do not have their body's velocity; nodes of walls belong to no body.
     for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
         const auto body = static_cast<std::size_t>(body_of_node_[n]);
         const double* v = state_.nodes[n].v;

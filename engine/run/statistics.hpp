@@ -21,13 +21,13 @@ struct PhaseSeconds {
 };
 
 struct PairStatistics {
-    double peak_force = 0;                ///< largest magnitude of the resultant on the master body [force]
-    std::array<double, 2> impulse{0, 0};  ///< time integral of the resultant on the master body [impulse]
-    std::int64_t events = 0;              ///< changes of the pair's state: no active node <-> some
+    double peak_force = 0;                 ///< largest magnitude of the resultant on the master body [force]
+    std::array<double, 2> impulse{0, 0};   ///< time integral of the resultant on the master body [impulse]
+    std::int64_t events = 0;  ///< changes of the pair's state: no active node <-> some
     std::int64_t openings = 0, closings = 0;  ///< of master nodes, one count per node and change
-    std::int64_t negative_forces = 0;         ///< rows whose unrestricted C came out negative
-    double max_penetration = 0;               ///< largest penetration left after correction [length]
-    double work = 0;                          ///< work done on the bodies by this pair's forces [energy]
+    std::int64_t negative_forces = 0;      ///< rows whose unrestricted C came out negative
+    double max_penetration = 0;            ///< largest penetration left after correction [length]
+    double work = 0;                       ///< work done on the bodies by this pair's forces [energy]
 };
 
 /// What a run did, counted while it ran.
@@ -35,17 +35,14 @@ struct RunStatistics {
     std::int64_t steps = 0;
     std::int64_t cells = 0;
     double step_seconds = 0;  ///< wall seconds spent stepping, all phases of the step
-    double total_seconds =
-        0;  ///< wall seconds of the whole job, drawing and writing included (filled by its driver)
+    double total_seconds = 0;  ///< wall seconds of the whole job, drawing and writing included (filled by its driver)
     PhaseSeconds seconds;
     double dt_min = 0, dt_max = 0;
     double critical_step_initial = 0, critical_step_min = 0;
     double initial_energy = 0;
-    double maximum_growth =
-        0;  ///< largest rise of K + I - W_external above an earlier minimum / initial energy
-    double maximum_loss = 0;  ///< largest fall of K + I - W_external below its initial value / initial energy
-    double elastic_energy_error =
-        0;  ///< |ledger's strain energy - the elements' own stored energy| / initial energy
+    double maximum_growth = 0;  ///< largest rise of K + I - W_external above an earlier minimum / initial energy
+    double maximum_loss = 0;    ///< largest fall of K + I - W_external below its initial value / initial energy
+    double elastic_energy_error = 0;  ///< |ledger's strain energy - the elements' own stored energy| / initial energy
     std::array<double, 2> momentum_initial{0, 0}, momentum_final{0, 0};
     double momentum_scale = 0;  ///< sum of m |v| at the start, what momentum errors are divided by
     double angular_momentum_initial = 0, angular_momentum_final = 0;  ///< plane scenes only
