@@ -23,7 +23,7 @@ class Session {
     [[nodiscard]] FrameQueue& frames() { return frames_; }
 
   private:
-    FrameQueue frames_{8};
+    FrameQueue frames_{std::size_t{256} << 20};
     std::unique_ptr<Engine> engine_;
     std::thread waiter_;  // closes the queue when the engine comes to rest
 };

@@ -54,7 +54,13 @@ Solver::Solver(Scene scene, int threads)
         pairs_.back().flags.assign(setup_->mesh.nodes.size(), 0);
     }
     if (!loads_.none()) external_.assign(2 * mass_.size(), 0);
-    if (!imposed_.prescribed.empty()) imposed_change_.assign(2 * mass_.size(), 0);
+    if (!imposed_.prescribed.empty()) {
+        imposed_change_.assign(2 * mass_.size(), 0);
+        driven_.assign(2 * mass_.size(), 0);
+        for (const auto& p : imposed_.prescribed)
+            driven_[2 * static_cast<std::size_t>(p.node) + static_cast<std::size_t>(p.direction)] = p.acts;
+        drive_.assign(s.bodies.size(), {0, 0});
+    }
     if (!pairs_.empty()) contact_impulse_.assign(2 * mass_.size(), 0);
     if (s.lagged) state_.lagged_nodes = state_.nodes;
     probe_values_.resize(probes_.size());
@@ -73,7 +79,8 @@ Solver::Solver(Scene scene, int threads)
     evaluate_critical_step();
     statistics_.critical_step_initial = statistics_.critical_step_min = state_.critical_step;
     check_fixed_step(step_size_);
-    // Node by node: held and driven nodes do not have their body's velocity; nodes of walls belong to no body.
+    // Node by node: held and driven nodes do not have their body's velocity; nodes of walls belong to no
+    // body.
     for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
         const auto body = static_cast<std::size_t>(body_of_node_[n]);
         const double* v = state_.nodes[n].v;
@@ -131,8 +138,13 @@ void Solver::build_nodes() {
         }
     }
     for (const auto& p : imposed_.prescribed)
-        state_.nodes[static_cast<std::size_t>(p.node)].v[p.direction] =
-            imposed_.functions[static_cast<std::size_t>(p.function)](0);
+        if (p.acts)
+            state_.nodes[static_cast<std::size_t>(p.node)].v[p.direction] =
+                imposed_.motions[static_cast<std::size_t>(p.motion)].velocity(0);
+
+    for (const Batch& batch : batches_)
+        rounding_energy_ += 1e-24 * body_mass_[static_cast<std::size_t>(batch.body)] * batch.material.p_wave /
+                            batch.material.density;
 
     // Where each node finds its corner forces: cells in mesh order, so that sums do not depend on threads.
     std::vector<std::vector<const double*>> of_node(count);
@@ -200,6 +212,9 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
     snapshot->step = state_.step;
     snapshot->dt = state_.dt;
     snapshot->critical_step = state_.critical_step;
+    snapshot->position.reserve(2 * state_.nodes.size());
+    snapshot->velocity.reserve(2 * state_.nodes.size());
+    snapshot->stress.reserve(setup_->mesh.cells.size());
     for (const Node& node : state_.nodes) {
         snapshot->position.insert(snapshot->position.end(), {node.x[0], node.x[1]});
         snapshot->velocity.insert(snapshot->velocity.end(), {node.v[0], node.v[1]});

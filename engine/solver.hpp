@@ -23,7 +23,8 @@ namespace percuss {
 struct SolverState {
     AlignedVector<Node> nodes;
     std::vector<AlignedVector<double>> element_state, corner_force;  ///< per batch
-    AlignedVector<Node> lagged_nodes;  ///< lagged mode: where stresses were last evaluated, and the motion that led there
+    AlignedVector<Node>
+        lagged_nodes;  ///< lagged mode: where stresses were last evaluated, and the motion that led there
     Ledger ledger;
     RunStatistics statistics;                       ///< filled by save()
     std::vector<std::vector<std::int32_t>> active;  ///< per pair: master nodes in contact; filled by save()
@@ -36,17 +37,19 @@ struct Divergence {
     std::string message;
 };
 
-/// The explicit dynamics of one scene, stepped by whoever calls step(). Not thread-safe; Engine wraps it in a thread.
+/// The explicit dynamics of one scene, stepped by whoever calls step(). Not thread-safe; Engine wraps it in a
+/// thread.
 class Solver {
   public:
     /// @throws SceneError when the scene cannot be meshed or its fixed step is above the critical one.
     explicit Solver(Scene scene, int threads = 1);
 
-    /// Advances the scene by one time step (step.cpp: read it first). @returns why the run cannot go on, if so; the state
-    /// is then not usable until restore().
+    /// Advances the scene by one time step (step.cpp: read it first). @returns why the run cannot go on, if
+    /// so; the state is then not usable until restore().
     std::optional<Divergence> step();
     [[nodiscard]] bool finished() const;
-    /// Changes the step control of a run under way. @throws SceneError when a fixed step is above the critical one.
+    /// Changes the step control of a run under way. @throws SceneError when a fixed step is above the
+    /// critical one.
     void set_step(const StepSize& step);
 
     [[nodiscard]] std::shared_ptr<const RunSetup> setup() const { return setup_; }
@@ -67,12 +70,17 @@ class Solver {
     /// @pre `state` comes from a solver of the same scene.
     void restore(const SolverState& state);
     [[nodiscard]] std::span<const Node> nodes() const { return state_.nodes; }
-    /// 2 / omega_max of the undeformed mesh by power iteration on the assembled stiffness [time]; converges from above.
+    /// 2 / omega_max of the undeformed mesh by power iteration on the assembled stiffness [time]; converges
+    /// from above.
     [[nodiscard]] double critical_step_by_power_iteration(int most_iterations = 2000) const;
-    [[nodiscard]] const std::vector<double>& lumped_mass() const { return mass_; }  ///< per radian or unit thickness
+    [[nodiscard]] const std::vector<double>& lumped_mass() const {
+        return mass_;
+    }  ///< per radian or unit thickness
     [[nodiscard]] const std::vector<Batch>& batches() const { return batches_; }
     [[nodiscard]] double angular_momentum() const;  ///< about the origin, plane scenes; 0 when axisymmetric
-    [[nodiscard]] double scale() const { return scale_; }  ///< 2 pi, or the thickness: per-radian numbers to whole ones
+    [[nodiscard]] double scale() const {
+        return scale_;
+    }  ///< 2 pi, or the thickness: per-radian numbers to whole ones
 
   private:
     struct NodeChunk {
@@ -86,7 +94,7 @@ class Solver {
         std::unique_ptr<PairScheme> scheme;
         PairState state;
         std::vector<std::int32_t> active;  // master indices with force in the last step
-        std::vector<char> flags;           // per master index: 1 had force in the last step, 2 has it in this one
+        std::vector<char> flags;  // per master index: 1 had force in the last step, 2 has it in this one
     };
 
     void build_nodes();
@@ -102,6 +110,7 @@ class Solver {
     std::optional<Divergence> internal_forces();
 
     void predict_chunk(const NodeChunk& chunk, NodeSums& sums);
+    void switch_prescribed();
     void impose_velocities(NodeSums& sums);
     void stresses_at_predicted_positions();
     void integrate_elements(const Node* nodes);
@@ -134,13 +143,18 @@ class Solver {
     std::vector<KernelSums> element_sums_;
     std::vector<double> highest_;  // per thread, squared frequency of its elements
     std::vector<double> mass_, body_mass_;
+    double rounding_energy_ =
+        0;  ///< of strains of 1e-12 in all bodies: a scene may wait at rest for its load
     std::vector<std::int32_t> body_of_node_;
     std::vector<double> inverse_mass_;         // 2 per node, 0 where the velocity is imposed
     std::vector<double> internal_, external_;  // 2 per node; external_ only when the scene has loads
     std::vector<std::int32_t> corner_begin_;   // per node: its range in corners_
     std::vector<const double*> corners_;       // pairs (fx, fy) among the batches' corner forces
     ImposedMotion imposed_;
-    std::vector<double> imposed_change_;  // 2 per node, velocity change by prescription; only when there is some
+    // Of prescribed motion; empty when there is none.
+    std::vector<double> imposed_change_;        // 2 per node: change of velocity in this step
+    std::vector<char> driven_;                  // 2 per node: whether a prescribed motion acts
+    std::vector<std::array<double, 2>> drive_;  // per body: force of what drives it [force]
     Loads loads_;
     std::vector<Pair> pairs_;
     std::vector<double> contact_impulse_;  // 2 per node, zero but during a step

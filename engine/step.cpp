@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 
 #include <fmt/format.h>
 
+#include "dynamics/double2.hpp"
 #include "solver.hpp"
 
 namespace percuss {
@@ -29,16 +29,11 @@ class PhaseTimer {
     Clock::time_point last_ = Clock::now();
 };
 
-/// The two components of a nodal vector, side by side in one register.
-using Double2 = double __attribute__((vector_size(16)));
-
-Double2 load_pair(const double* from) {
-    Double2 pair;
-    std::memcpy(&pair, from, sizeof(Double2));
-    return pair;
+bool is_prescribed(const Body& body, std::size_t direction) {
+    return std::any_of(body.prescribed.begin(), body.prescribed.end(), [&](const PrescribedVelocity& p) {
+        return (p.direction == Direction::first ? 0U : 1U) == direction;
+    });
 }
-
-void store_pair(double* to, const Double2& pair) { std::memcpy(to, &pair, sizeof(Double2)); }
 
 std::pair<std::size_t, std::size_t> share_of(std::size_t count, int part, int parts) {
     const auto p = static_cast<std::size_t>(part), n = static_cast<std::size_t>(parts);
@@ -145,6 +140,7 @@ void Solver::evaluate_critical_step() {
 
 void Solver::predict() {
     if (!loads_.none()) loads_.evaluate(state_.nodes.data(), mass_, state_.time, external_);
+    if (imposed_.timed) switch_prescribed();
     if (state_.step == 0) start_half_step_early();
     const auto chunks = [this](int part) {
         const auto [begin, end] = share_of(node_chunks_.size(), part, team_.size());
@@ -214,14 +210,39 @@ void Solver::predict_chunk(const NodeChunk& chunk, NodeSums& sums) {
     sums.momentum = {momentum[0], momentum[1]};
 }
 
+/// Nodes are held while a motion is prescribed for them and free otherwise; of two motions at a time the one
+/// that the scene names first acts.
+void Solver::switch_prescribed() {
+    const double middle = state_.time + 0.5 * state_.dt;
+    const auto visit = [this](auto&& change) {
+        for (auto& p : imposed_.prescribed) {
+            const auto n = static_cast<std::size_t>(p.node), d = static_cast<std::size_t>(p.direction);
+            if (!imposed_.held[n][d]) change(p, n, 2 * n + d);
+        }
+    };
+    visit([&](const auto&, std::size_t n, std::size_t k) {
+        inverse_mass_[k] = 1 / mass_[n];
+        imposed_change_[k] = 0;
+        driven_[k] = 0;
+    });
+    visit([&](auto& p, std::size_t, std::size_t k) {
+        p.acts = !driven_[k] && imposed_.motions[static_cast<std::size_t>(p.motion)].acts(middle);
+        if (!p.acts) return;
+        inverse_mass_[k] = 0;
+        driven_[k] = 1;
+    });
+}
+
 /// Prescribed velocities jump to their value at the middle of the step; what that takes is work of the
 /// outside.
 void Solver::impose_velocities(NodeSums& sums) {
+    std::fill(drive_.begin(), drive_.end(), std::array<double, 2>{0, 0});
     for (const auto& p : imposed_.prescribed) {
+        if (!p.acts) continue;
         const auto n = static_cast<std::size_t>(p.node), d = static_cast<std::size_t>(p.direction),
                    k = 2 * n + d;
         double& v = state_.nodes[n].v[d];
-        const double before = v, after = imposed_.functions[static_cast<std::size_t>(p.function)](
+        const double before = v, after = imposed_.motions[static_cast<std::size_t>(p.motion)].velocity(
                                      state_.time + 0.5 * state_.dt);
         const double change = after - before;
         v = after;
@@ -233,7 +254,9 @@ void Solver::impose_velocities(NodeSums& sums) {
         sums.internal_after += internal_[k] * change;
         sums.external_before += reaction * before;
         sums.external_after += reaction * after + load * change;
-        state_.ledger.body_momentum[static_cast<std::size_t>(body_of_node_[n])][d] += mass_[n] * change;
+        const auto body = static_cast<std::size_t>(body_of_node_[n]);
+        drive_[body][d] += reaction;
+        state_.ledger.body_momentum[body][d] += mass_[n] * change;
     }
 }
 
@@ -332,6 +355,8 @@ double Solver::account_contacts(NodeSums& sums) {
                 // An imposed velocity does not yield: its support takes the impulse and does the work.
                 sums.external_before -= impulse / kick_ * before[d];
                 sums.external_after -= impulse / kick_ * state_.nodes[n].v[d];
+                if (!driven_.empty() && driven_[k])
+                    drive_[static_cast<std::size_t>(body_of_node_[n])][d] -= impulse / kick_;
             }
             if (!setup_->scene.lagged) sums.internal_after += internal_[k] * change;
             if (!external_.empty()) sums.external_after += external_[k] * change;
@@ -396,7 +421,7 @@ std::optional<Divergence> Solver::close_ledger() {
     fill_history_row();
 
     if (!std::isfinite(total)) return Divergence{locate_non_finite() + " is no longer finite at " + moment()};
-    const double reference = std::max(ledger.initial_kinetic, ledger.largest_load);
+    const double reference = std::max({ledger.initial_kinetic, ledger.largest_load, rounding_energy_});
     if (total - ledger.initial_kinetic > setup_->scene.energy_growth_limit * reference)
         return Divergence{
             fmt::format("energy grew by {:.3g} % of the input at {}; the limit is {:.3g} %; most is in {}",
@@ -508,6 +533,10 @@ std::vector<HistoryColumn> Solver::history_columns(const Scene& scene) {
     for (const Body& body : scene.bodies)
         for (const std::size_t d : order)
             columns.push_back({"body." + body.name + ".velocity." + direction[d], Quantity::velocity});
+    for (const Body& body : scene.bodies)
+        for (const std::size_t d : order)
+            if (is_prescribed(body, d))
+                columns.push_back({"body." + body.name + ".drive." + direction[d], Quantity::force});
     for (const char* energy :
          {"kinetic", "internal", "hourglass", "viscous", "plastic", "contact", "external", "balance"})
         columns.push_back({std::string("energy.") + energy, Quantity::energy});
@@ -535,6 +564,9 @@ void Solver::fill_history_row() {
         put(velocity[first]);
         put(velocity[second]);
     }
+    for (std::size_t body = 0; body < drive_.size(); ++body)
+        for (const std::size_t d : {first, second})
+            if (is_prescribed(setup_->scene.bodies[body], d)) put(scale_ * drive_[body][d]);
     const Energies& e = state_.ledger.present;
     for (const double energy :
          {e.kinetic, e.internal, e.hourglass, e.viscous, e.plastic, e.contact, e.external, e.balance()})

@@ -17,6 +17,11 @@ class ContactAssembly {
   public:
     explicit ContactAssembly(std::int32_t node_count) : head_(static_cast<std::size_t>(node_count), -1) {}
 
+    /// Room for so many rows.
+    void reserve(std::size_t rows) {
+        links_.resize(3 * rows);
+        couplings_.resize(3 * rows);
+    }
     /// @pre the three nodes of a row differ. @param inverse_mass 2 per node [1/mass]; @param factor dt * kick
     /// [time^2].
     void assemble(std::span<const ContactRow> rows, const double* inverse_mass, double factor,
@@ -27,8 +32,13 @@ class ContactAssembly {
         std::int32_t row, next;
         double share;
     };
+    struct Coupling {
+        std::int32_t row;
+        double value;
+    };
     std::vector<std::int32_t> head_;  ///< per node: its newest link, -1 between calls
     std::vector<Link> links_;
+    std::vector<Coupling> couplings_;  ///< of the row being assembled
 };
 
 }  // namespace percuss

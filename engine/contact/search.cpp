@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "dynamics/double2.hpp"
+
 namespace percuss {
 namespace {
 
@@ -21,7 +23,7 @@ constexpr double entry_tolerance = 1e-3;
 constexpr double depth_limit = 0.5;
 
 struct Range {
-    double min_x = infinity, min_y = infinity, max_x = -infinity, max_y = -infinity;
+    Double2 lowest{infinity, infinity}, highest{-infinity, -infinity};
 };
 
 /// Displacements of some nodes since they were at `last`, which moves along.
@@ -29,16 +31,15 @@ Range displacements(const Node* nodes, const std::vector<std::int32_t>& of,
                     std::vector<std::array<double, 2>>& last) {
     Range range;
     for (std::size_t k = 0; k < of.size(); ++k) {
-        const double* x = nodes[of[k]].x;
-        const double ux = x[0] - last[k][0], uy = x[1] - last[k][1];
-        range.min_x = std::min(range.min_x, ux);
-        range.max_x = std::max(range.max_x, ux);
-        range.min_y = std::min(range.min_y, uy);
-        range.max_y = std::max(range.max_y, uy);
-        last[k] = {x[0], x[1]};
+        const Double2 x = load_pair(nodes[of[k]].x), u = x - load_pair(last[k].data());
+        range.lowest = smaller(range.lowest, u);
+        range.highest = larger(range.highest, u);
+        store_pair(last[k].data(), x);
     }
     return range;
 }
+
+double length(const Double2& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1]); }
 
 void positions_before(const Node* nodes, double dt, const std::vector<std::int32_t>& of,
                       std::vector<std::array<double, 2>>& positions) {
@@ -83,12 +84,9 @@ void PenetrationSearch::measure_motion(const Node* nodes, double dt) {
     }
     const Range m = displacements(nodes, master_.nodes, master_at_),
                 s = displacements(nodes, slave_.nodes, slave_at_);
-    const double x = std::max(m.max_x - s.min_x, s.max_x - m.min_x);
-    const double y = std::max(m.max_y - s.min_y, s.max_y - m.min_y);
-    step_motion_ = std::sqrt(x * x + y * y);
+    step_motion_ = length(larger(m.highest - s.lowest, s.highest - m.lowest));
     travelled_ += step_motion_;
-    const double sx = std::max(s.max_x, -s.min_x), sy = std::max(s.max_y, -s.min_y);
-    slave_travelled_ += std::sqrt(sx * sx + sy * sy);
+    slave_travelled_ += length(larger(s.highest, -s.lowest));
 }
 
 void PenetrationSearch::find(const Node* nodes, double dt, std::vector<ContactRow>& rows) {
@@ -119,7 +117,9 @@ PenetrationSearch::Closest PenetrationSearch::closest_of_neighbours(const Node* 
         if (neighbour < 0) continue;
         const double square =
             squared_distance(nodes, slave_.sides[static_cast<std::size_t>(neighbour)], x[0], x[1]);
-        if (square < best.distance) best = {neighbour, square};
+        // Two sides are equally near at their common vertex: what is taken must not depend on the past.
+        if (square < best.distance || (square == best.distance && neighbour < best.side))
+            best = {neighbour, square};
     }
     best.distance = std::sqrt(best.distance);
     return best;
@@ -205,6 +205,16 @@ bool PenetrationSearch::entered_neighbour(const Node* nodes, double dt, std::int
     return before_neighbour - neighbour.gap > before - view.gap;
 }
 
+/// Whether a node, (dx, dy) away from a vertex, is behind the average of the normals of the two sides there.
+bool PenetrationSearch::behind_vertex(const Node* nodes, const Side& around, const SideView& view, double dx,
+                                      double dy) {
+    const double tx = nodes[around.j].x[0] - nodes[around.i].x[0],
+                 ty = nodes[around.j].x[1] - nodes[around.i].x[1];
+    const double own = view.nx * dx + view.ny * dy, other = ty * dx - tx * dy;
+    if ((own > 0) == (other > 0)) return own > 0;  // no root needed: behind both, or before both
+    return own + other / std::sqrt(tx * tx + ty * ty) > 0;
+}
+
 bool PenetrationSearch::enter_row(const Node* nodes, double dt, std::int32_t master, const Closest& closest,
                                   std::int32_t held, ContactRow& row) const {
     const std::int32_t node = master_.nodes[static_cast<std::size_t>(master)];
@@ -221,11 +231,9 @@ bool PenetrationSearch::enter_row(const Node* nodes, double dt, std::int32_t mas
     } else if (past_end(view) > 0) {
         // The nearest point is a vertex. Outside a convex one there is no contact; inside a concave one the
         // node is pushed along the line to the vertex. The averaged normal tells the two apart.
-        const SideView other =
-            view_from_side(nodes, slave_.sides[static_cast<std::size_t>(around)], x[0], x[1]);
         const double* vertex = nodes[first_half ? side->i : side->j].x;
         const double dx = vertex[0] - x[0], dy = vertex[1] - x[1];
-        if (dx * (view.nx + other.nx) + dy * (view.ny + other.ny) <= 0) return false;
+        if (!behind_vertex(nodes, slave_.sides[static_cast<std::size_t>(around)], view, dx, dy)) return false;
         view.nx = dx / closest.distance;
         view.ny = dy / closest.distance;
         view.gap = -closest.distance;

@@ -53,6 +53,8 @@ class PenetrationSearch {
                                        const Memory& memory) const;
     [[nodiscard]] bool enter_row(const Node* nodes, double dt, std::int32_t master, const Closest& closest,
                                  std::int32_t held, ContactRow& row) const;
+    [[nodiscard]] static bool behind_vertex(const Node* nodes, const Side& around, const SideView& view,
+                                            double dx, double dy);
     [[nodiscard]] bool entered_neighbour(const Node* nodes, double dt, std::int32_t node, std::int32_t side,
                                          const SideView& view, std::int32_t held,
                                          const SideView& neighbour) const;

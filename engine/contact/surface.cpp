@@ -26,7 +26,8 @@ void append_chain(Surface& surface, const Edge& chain) {
 
 Surface make_surface(const Mesh& mesh, const SurfaceName& name) {
     Surface surface;
-    const auto wall = std::find_if(mesh.walls.begin(), mesh.walls.end(), [&](const Edge& w) { return w.name == name.body; });
+    const auto wall = std::find_if(mesh.walls.begin(), mesh.walls.end(),
+                                   [&](const Edge& w) { return w.name == name.body; });
     if (wall != mesh.walls.end()) {
         append_chain(surface, *wall);
         return surface;

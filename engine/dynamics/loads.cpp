@@ -16,7 +16,8 @@ std::array<double, 2> side_areas(double r_i, double r_j, double length, Geometry
 template <class Visit>
 void for_each_side(const Edge& edge, Visit visit) {
     const std::size_t count = edge.nodes.size();
-    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < count; ++k) visit(edge.nodes[k], edge.nodes[(k + 1) % count]);
+    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < count; ++k)
+        visit(edge.nodes[k], edge.nodes[(k + 1) % count]);
 }
 
 }  // namespace
@@ -30,7 +31,8 @@ Loads::Loads(const Scene& scene, const Mesh& mesh) : geometry_(scene.geometry) {
         for (const EdgeLoad& load : body.loads) {
             LoadedEdge loaded{{}, load};
             for_each_side(*find_edge(part, load.edge), [&](std::int32_t i, std::int32_t j) {
-                const Vec2 &a = mesh.nodes[static_cast<std::size_t>(i)], &c = mesh.nodes[static_cast<std::size_t>(j)];
+                const Vec2 &a = mesh.nodes[static_cast<std::size_t>(i)],
+                           &c = mesh.nodes[static_cast<std::size_t>(j)];
                 loaded.sides.push_back({i, j, side_areas(a.x(), c.x(), (c - a).norm(), geometry_)});
             });
             edges_.push_back(std::move(loaded));
@@ -38,9 +40,11 @@ Loads::Loads(const Scene& scene, const Mesh& mesh) : geometry_(scene.geometry) {
     }
 }
 
-void Loads::evaluate(const Node* nodes, const std::vector<double>& mass, double time, std::vector<double>& force) const {
+void Loads::evaluate(const Node* nodes, const std::vector<double>& mass, double time,
+                     std::vector<double>& force) const {
     for (const Span& body : bodies_) {
-        for (auto node = static_cast<std::size_t>(body.begin); node < static_cast<std::size_t>(body.end); ++node) {
+        for (auto node = static_cast<std::size_t>(body.begin); node < static_cast<std::size_t>(body.end);
+             ++node) {
             force[2 * node] = mass[node] * body.acceleration[0];
             force[2 * node + 1] = mass[node] * body.acceleration[1];
         }
@@ -56,8 +60,10 @@ void Loads::evaluate(const Node* nodes, const std::vector<double>& mass, double 
             const double normal[2] = {b[1] - a[1], -(b[0] - a[0])};
             const auto weight = side_areas(a[0], b[0], 1, geometry_);
             for (std::size_t d = 0; d < 2; ++d) {
-                force[2 * static_cast<std::size_t>(side.i) + d] += traction[d] * side.area[0] - pressure * normal[d] * weight[0];
-                force[2 * static_cast<std::size_t>(side.j) + d] += traction[d] * side.area[1] - pressure * normal[d] * weight[1];
+                force[2 * static_cast<std::size_t>(side.i) + d] +=
+                    traction[d] * side.area[0] - pressure * normal[d] * weight[0];
+                force[2 * static_cast<std::size_t>(side.j) + d] +=
+                    traction[d] * side.area[1] - pressure * normal[d] * weight[1];
             }
         }
     }
@@ -67,7 +73,8 @@ ImposedMotion impose_motion(const Scene& scene, const Mesh& mesh) {
     ImposedMotion motion;
     motion.held.assign(mesh.nodes.size(), {false, false});
     if (scene.geometry == Geometry::axisymmetric)
-        for (std::size_t node = 0; node < mesh.nodes.size(); ++node) motion.held[node][0] = mesh.nodes[node].x() == 0;
+        for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+            motion.held[node][0] = mesh.nodes[node].x() == 0;
 
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const MeshBody& part = mesh.bodies[b];
@@ -79,12 +86,16 @@ ImposedMotion impose_motion(const Scene& scene, const Mesh& mesh) {
         }
         for (const PrescribedVelocity& prescribed : scene.bodies[b].prescribed) {
             const int direction = prescribed.direction == Direction::first ? 0 : 1;
-            motion.functions.push_back(prescribed.velocity);
+            const bool timed = prescribed.from > 0 || std::isfinite(prescribed.until);
+            motion.timed = motion.timed || timed;
+            motion.motions.push_back(prescribed);
             for (const std::int32_t node : select_nodes(mesh, part, prescribed.edge)) {
                 auto& held = motion.held[static_cast<std::size_t>(node)][static_cast<std::size_t>(direction)];
                 if (held) continue;  // constraints and earlier prescriptions come first
-                held = true;
-                motion.prescribed.push_back({node, direction, static_cast<std::int32_t>(motion.functions.size()) - 1});
+                held = !timed;
+                motion.prescribed.push_back({node, direction,
+                                             static_cast<std::int32_t>(motion.motions.size()) - 1,
+                                             prescribed.acts(0)});
             }
         }
     }

@@ -9,7 +9,8 @@
 
 namespace percuss {
 
-/// Body forces, pressures and tractions of a scene, as nodal forces per radian (axisymmetric) or unit thickness.
+/// Body forces, pressures and tractions of a scene, as nodal forces per radian (axisymmetric) or unit
+/// thickness.
 class Loads {
   public:
     Loads() = default;
@@ -18,7 +19,8 @@ class Loads {
     /// No load in the scene: nothing is stored and the step never asks again.
     [[nodiscard]] bool none() const { return !any_body_force_ && edges_.empty(); }
     /// Writes the forces at `time` and the present positions, 2 per node [force].
-    void evaluate(const Node* nodes, const std::vector<double>& mass, double time, std::vector<double>& force) const;
+    void evaluate(const Node* nodes, const std::vector<double>& mass, double time,
+                  std::vector<double>& force) const;
 
   private:
     struct Span {
@@ -27,7 +29,8 @@ class Loads {
     };
     struct LoadedSide {
         std::int32_t i, j;
-        std::array<double, 2> area;  ///< initial ring area per radian at each end (traction is per initial area)
+        std::array<double, 2>
+            area;  ///< initial ring area per radian at each end (traction is per initial area)
     };
     struct LoadedEdge {
         std::vector<LoadedSide> sides;
@@ -44,11 +47,13 @@ struct ImposedMotion {
     struct Prescribed {
         std::int32_t node;
         int direction;
-        std::int32_t function;  ///< index into `functions`
+        std::int32_t motion;  ///< index into `motions`
+        bool acts;            ///< in the present step
     };
-    std::vector<std::array<bool, 2>> held;  ///< per node: the velocity is imposed, zero or prescribed
+    std::vector<std::array<bool, 2>> held;  ///< per node: the velocity is imposed for the whole run
     std::vector<Prescribed> prescribed;
-    std::vector<TimeFunction> functions;
+    std::vector<PrescribedVelocity> motions;
+    bool timed = false;  ///< some motions begin or end within the run
 };
 
 /// @throws nothing; nodes on r = 0 of an axisymmetric mesh are held in r.

@@ -17,8 +17,8 @@ struct RunSetup {
     Mesh mesh;
 };
 
-/// Stress means of one cell, sign: tension positive. Components: rr (or xx), zz (or yy), hoop (or out of plane),
-/// shear rz (or xy) [stress].
+/// Stress means of one cell, sign: tension positive. Components: rr (or xx), zz (or yy), hoop (or out of
+/// plane), shear rz (or xy) [stress].
 using StressMean = std::array<double, 4>;
 
 /// The force that a contact puts on one node in one step [force], at the node's position.
@@ -35,17 +35,19 @@ struct Energies {
     double internal = 0;   ///< work of all internal nodal forces: strain + hourglass + viscous + plastic
     double hourglass = 0;  ///< part of internal
     double viscous = 0;    ///< part of internal
-    double contact = 0;    ///< work done on the bodies by contact forces (negative: energy lost at the contact)
-    double external = 0;   ///< E of the paper: initial kinetic energy + work of loads, body forces, prescribed motion
-    double plastic = 0;    ///< part of internal
+    double contact = 0;  ///< work done on the bodies by contact forces (negative: energy lost at the contact)
+    double external =
+        0;  ///< E of the paper: initial kinetic energy + work of loads, body forces, prescribed motion
+    double plastic = 0;  ///< part of internal
     /// e = E - I - K of the paper: what the contact took away.
     [[nodiscard]] double balance() const { return external - internal - kinetic; }
 };
 
 struct PairState {
-    std::array<double, 2> force{0, 0};  ///< resultant on the master body; radial = sum of radial components [force]
-    std::int32_t active = 0;            ///< master nodes in contact
-    double penetration = 0;             ///< largest penetration left after the correction [length]
+    std::array<double, 2> force{
+        0, 0};                ///< resultant on the master body; radial = sum of radial components [force]
+    std::int32_t active = 0;  ///< master nodes in contact
+    double penetration = 0;   ///< largest penetration left after the correction [length]
 };
 
 struct BodyState {
@@ -66,11 +68,11 @@ struct Snapshot {
     std::shared_ptr<const RunSetup> setup;
     double time = 0;  ///< [time]
     std::int64_t step = 0;
-    double dt = 0;             ///< [time]
-    double critical_step = 0;  ///< [time]
-    std::vector<double> position;  ///< 2 per node [length]
-    std::vector<double> velocity;  ///< 2 per node, at time - dt/2 [velocity]
-    std::vector<StressMean> stress;  ///< one per cell
+    double dt = 0;                       ///< [time]
+    double critical_step = 0;            ///< [time]
+    std::vector<double> position;        ///< 2 per node [length]
+    std::vector<double> velocity;        ///< 2 per node, at time - dt/2 [velocity]
+    std::vector<StressMean> stress;      ///< one per cell
     std::vector<double> plastic_strain;  ///< equivalent, one per cell, means; empty when no body is plastic
     std::vector<double> yield_stress;    ///< likewise; infinite in elastic bodies [stress]
     std::vector<double> temperature;     ///< one per cell; empty when no material heats [temperature]
@@ -82,5 +84,13 @@ struct Snapshot {
     RunStatus status = RunStatus::paused;
     std::string message;  ///< why the run paused, when it diverged
 };
+
+/// What a snapshot's own arrays take [bytes]; what it shares with others is not counted.
+[[nodiscard]] inline std::size_t memory_of(const Snapshot& s) {
+    const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
+    return sizeof(Snapshot) + bytes(s.position) + bytes(s.velocity) + bytes(s.stress) +
+           bytes(s.plastic_strain) + bytes(s.yield_stress) + bytes(s.temperature) + bytes(s.contact_forces) +
+           bytes(s.pairs) + bytes(s.bodies);
+}
 
 }  // namespace percuss

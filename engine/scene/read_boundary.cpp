@@ -59,6 +59,10 @@ PrescribedVelocity read_prescribed(TableReader& reader, Geometry geometry, const
                            .value_or(Direction::second);
     reader.need("velocity", "velocity = NUMBER or [[time, velocity], ...]");
     result.velocity = reader.time_function("velocity").value_or(TimeFunction{{{0, 0}}});
+    result.from = reader.number("from", not_negative).value_or(result.from);
+    result.until = reader.number("until", positive).value_or(result.until);
+    if (result.until <= result.from)
+        reader.error("until", fmt::format("'until' must be later than 'from', which is {}", result.from));
     return result;
 }
 

@@ -32,7 +32,8 @@ struct BulkViscosity {
     double quadratic = 0;  ///< coefficient of rho h^2 D^2, dimensionless (1.2 is usual)
 };
 
-/// Yield stress = yield + linear ep + saturation (1 - exp(-rate ep)), ep the equivalent plastic strain (linear + Voce).
+/// Yield stress = yield + linear ep + saturation (1 - exp(-rate ep)), ep the equivalent plastic strain
+/// (linear + Voce).
 struct VoceHardening {
     double yield = 0;       ///< at ep = 0 [stress]
     double linear = 0;      ///< slope of the linear part [stress]
@@ -42,12 +43,14 @@ struct VoceHardening {
 
 /// Yield stress linear between points, constant after the last.
 struct TabulatedHardening {
-    std::vector<std::pair<double, double>> points;  ///< (ep, yield stress): ep rises from 0, yield stress does not fall
+    std::vector<std::pair<double, double>>
+        points;  ///< (ep, yield stress): ep rises from 0, yield stress does not fall
 };
 
-/// Johnson & Cook (1983): yield stress = (A + B ep^n) (1 + C ln(rate/reference)) (1 - T*^m) with the homologous temperature
-/// T* = (T - room) / (melting - room), the logarithm not below 0, and T* within 0 and 1. Plastic work heats the point
-/// (Taylor & Quinney): density heat_capacity dT = heat_fraction dW; no heat flows.
+/// Johnson & Cook (1983): yield stress = (A + B ep^n) (1 + C ln(rate/reference)) (1 - T*^m) with the
+/// homologous temperature T* = (T - room) / (melting - room), the logarithm not below 0, and T* within 0
+/// and 1. Plastic work heats the point (Taylor & Quinney): density heat_capacity dT = heat_fraction dW; no
+/// heat flows.
 struct JohnsonCook {
     double yield = 0;               ///< A [stress]
     double hardening = 0;           ///< B [stress]
@@ -132,7 +135,11 @@ struct Constraint {
 struct PrescribedVelocity {
     std::string edge;  ///< named edge, or "" for the whole body
     Direction direction = Direction::second;
-    TimeFunction velocity;  ///< [velocity]
+    TimeFunction velocity;                                   ///< [velocity]
+    double from = 0;                                         ///< before this time the nodes are free [time]
+    double until = std::numeric_limits<double>::infinity();  ///< and from this time on [time]
+    /// Whether the motion of a step is imposed. @param time of the middle of the step.
+    [[nodiscard]] bool acts(double time) const { return from <= time && time < until; }
     Place place;
 };
 

@@ -41,6 +41,29 @@ TEST_F(RenderTest, DrawsOtherFieldsOtherwise) {
     EXPECT_NE(render::read_png(path("a/000002.png")).pixels, render::read_png(path("c/000002.png")).pixels);
 }
 
+TEST_F(RenderTest, DrawsTheFrameAndRangeAskedFor) {
+    const auto picture = [&](const std::string& out, const std::string& frame,
+                             std::vector<std::string> more = {}, const std::string& run_folder = "out") {
+        std::vector<std::string> command{"render",  run_folder, "--size", "320x200",
+                                         "--frame", frame,      "--out",  out};
+        command.insert(command.end(), more.begin(), more.end());
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return render::read_png(path(out) / ("00000" + frame + ".png")).pixels;
+    };
+    const std::vector<std::string> velocity{"--field", "velocity.y"};
+    const auto plain = picture("plain", "2");
+    EXPECT_NE(plain, picture("earlier", "1"));
+    EXPECT_NE(plain, picture("range", "2", {"--range", "0,100"}));
+    // A range that the scene sets belongs to the scene's field: another field is drawn over its own.
+    ASSERT_EQ(run({"run", "scene.toml", "--out", "ranged", "--no-render", "--frames", "0.005", "--set",
+                   "view.range=[0, 100]"})
+                  .status,
+              0);
+    EXPECT_NE(plain, picture("ranged-plain", "2", {}, "ranged"));
+    EXPECT_EQ(picture("velocity", "2", velocity), picture("ranged-velocity", "2", velocity, "ranged"));
+}
+
 TEST_F(RenderTest, DrawsAllFramesAndReplacesOnlyByForce) {
     const std::vector<std::string> command{"render", "out",   "--size",  "160x120",
                                            "--all",  "--out", "pictures"};

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <thread>
+
 #include "app/program_test.hpp"
 #include "record/run_file.hpp"
 
@@ -46,6 +49,53 @@ TEST_F(RunTest, RecordsWhatCanBeReadBack) {
     const auto lines = text_of(path("out/history.csv"));
     EXPECT_EQ(static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')),
               record.history()->rows() + 1);
+}
+
+TEST_F(RunTest, KeepsEveryNthRowOfTheHistory) {
+    const auto lines = [&](const std::string& every) {
+        const Outcome outcome = run({"run", "scene.toml", "--out", "every-" + every, "--no-render", "--set",
+                                     "record.history_every=" + every});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        const std::string text = text_of(path("every-" + every + "/history.csv"));
+        return std::count(text.begin(), text.end(), '\n');
+    };
+    const auto rows = lines("1") - 1;  // without the header
+    EXPECT_EQ(rows, summary("every-1")["steps"]);
+    EXPECT_EQ(lines("4") - 1, (rows + 3) / 4);
+    EXPECT_EQ(RunFile(path("every-4/run.h5")).history()->rows(), static_cast<std::size_t>((rows + 3) / 4));
+}
+
+TEST_F(RunTest, StepsWithTheThreadsAskedForToTheSameState) {
+    if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "this machine has one processor";
+    std::string text = test::small_scene;  // more elements, so that a second thread is worth its while
+    text.replace(text.find("divisions = [2, 1]"), 18, "divisions = [60, 52]");
+    write("fine.toml", text);
+    for (const std::string threads : {"1", "2"}) {
+        const Outcome outcome = run({"run", "fine.toml", "--out", threads, "--no-render", "--threads",
+                                     threads, "--set", "model.duration=1e-4"});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(summary(threads)["threads"], std::stoi(threads));
+    }
+    EXPECT_EQ(summary("1")["state_hash"], summary("2")["state_hash"]);
+}
+
+TEST_F(RunTest, SaysWhyItDivergedAndKeepsTheLastState) {
+    // Half of the wave speed: the first elements to meet turn inside out.
+    const Outcome outcome = run(
+        {"run", "scene.toml", "--out", "out", "--no-render", "--set", "body.striker.velocity=[0, -3000]"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.out, StartsWith("DIVERGED at "));
+    const auto result = summary("out");
+    EXPECT_EQ(result["status"], "diverged");
+    const std::string message = result["message"];
+    EXPECT_FALSE(message.empty());
+    EXPECT_THAT(outcome.err, HasSubstr("percuss: " + message));
+    const RunFile record(path("out/run.h5"));
+    const auto last = record.frame(record.frames() - 1);
+    EXPECT_EQ(last->status, RunStatus::diverged);
+    EXPECT_EQ(last->message, message);
+    EXPECT_TRUE(
+        std::all_of(last->position.begin(), last->position.end(), [](double x) { return std::isfinite(x); }));
 }
 
 TEST_F(RunTest, RefusesToOverwriteWithoutForce) {
@@ -132,9 +182,12 @@ TEST_F(RunTest, EndsCleanlyOnInterrupt) {
 }
 
 TEST_F(RunTest, KilledLeavesNoSummaryAndAReadableRecord) {
+    // Not even that of an earlier run, which has fewer frames than are waited for.
+    ASSERT_EQ(run({"run", "scene.toml", "--out", "out", "--no-render", "--frames", "0.02"}).status, 0);
+    ASSERT_EQ(RunFile(path("out/run.h5")).frames(), 2);
     test::Program program(folder_.path(),
-                          {"run", "scene.toml", "--out", "out", "--no-render", "--set", "model.duration=1e5",
-                           "--frames", "0.05", "--set", "record.history_every=100000"});
+                          {"run", "scene.toml", "--out", "out", "--no-render", "--force", "--set",
+                           "model.duration=1e5", "--frames", "0.05", "--set", "record.history_every=100000"});
     ASSERT_TRUE(test::wait_for_frames(path("out/run.h5"), 3));
     program.send(SIGKILL);
     EXPECT_EQ(program.wait().status, 128 + SIGKILL);

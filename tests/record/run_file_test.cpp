@@ -53,8 +53,12 @@ void expect_same(const Snapshot& read, const Snapshot& written) {
     EXPECT_EQ(read.pairs[0].penetration, written.pairs[0].penetration);
     ASSERT_EQ(read.bodies.size(), written.bodies.size());
     EXPECT_EQ(read.bodies[1].velocity, written.bodies[1].velocity);
-    EXPECT_EQ(read.energy.external, written.energy.external);
-    EXPECT_EQ(read.energy.hourglass, written.energy.hourglass);
+    EXPECT_EQ(read.plastic_strain, written.plastic_strain);
+    EXPECT_EQ(read.yield_stress, written.yield_stress);
+    EXPECT_EQ(read.temperature, written.temperature);
+    for (const auto part : {&Energies::kinetic, &Energies::internal, &Energies::hourglass, &Energies::viscous,
+                            &Energies::contact, &Energies::external, &Energies::plastic})
+        EXPECT_EQ(read.energy.*part, written.energy.*part);
     EXPECT_EQ(read.status, written.status);
 }
 
@@ -64,6 +68,19 @@ TEST_F(RunFileTest, GivesBackEveryFrameBitByBit) {
     ASSERT_EQ(run.frames(), 5);
     for (int f : {4, 0, 1, 2, 3}) expect_same(*run.frame(f), sample_snapshot(setup_, f));
     EXPECT_EQ(run.summary(), R"({"steps": 42})");
+}
+
+TEST_F(RunFileTest, GivesBackPlasticFieldsAndTemperatures) {
+    write(3, 3, true,
+          {"material.steel.johnson_cook={yield=0.4, hardening=0.3, exponent=0.3, melting_temperature=1800, "
+           "heat_capacity=460}"});
+    ASSERT_TRUE(ambient_temperature(setup_->scene));
+    const RunFile run(file_);
+    for (int f : {2, 0, 1}) {
+        const auto frame = run.frame(f);
+        EXPECT_EQ(frame->temperature.size(), 3U);
+        expect_same(*frame, sample_snapshot(setup_, f));
+    }
 }
 
 TEST_F(RunFileTest, GivesBackSceneAndMesh) {

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "record/run_file.hpp"
+#include "run/fields.hpp"
 #include "run/history.hpp"
 #include "run/snapshot.hpp"
 #include "scene/parse.hpp"
@@ -102,12 +103,22 @@ inline Snapshot sample_snapshot(const std::shared_ptr<const RunSetup>& setup, in
     for (int c = 0; c < setup->mesh.cell_count(); ++c) {
         snapshot.stress.push_back({frame + 0.1 * c, 2. * frame, 3. * frame, 0.5 * c});
     }
+    if (has_plasticity(setup->scene)) {
+        for (int c = 0; c < setup->mesh.cell_count(); ++c) {
+            snapshot.plastic_strain.push_back(0.01 * frame + 0.001 * c);
+            snapshot.yield_stress.push_back(0.4 + 0.02 * frame + 0.001 * c);
+        }
+    }
+    if (ambient_temperature(setup->scene)) {
+        for (int c = 0; c < setup->mesh.cell_count(); ++c)
+            snapshot.temperature.push_back(300. + frame + 0.1 * c);
+    }
     for (int i = 0; i < frame % 3; ++i) {  // 0, 1, 2, 0, ... contact forces
         snapshot.contact_forces.push_back({i, 0, i == 0, {1. * frame, 2. * i}});
     }
     snapshot.pairs = {{{0.25 * frame, 0.5 * frame}, frame % 3, 1e-3 * frame}};
     snapshot.bodies = {{{0, -1. / (1 + frame)}}, {{0.5, 0.25 * frame}}};
-    snapshot.energy = {1, 2, 3, 4, 5, 6. + frame};
+    snapshot.energy = {1, 2, 3, 4, 5, 6. + frame, 0.5 * frame};
     snapshot.status = RunStatus::running;
     return snapshot;
 }

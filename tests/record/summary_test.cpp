@@ -91,6 +91,9 @@ TEST(Summary, HoldsWhatARunIsJudgedBy) {
     EXPECT_EQ(at("energy.maximum_loss"), 0.005);
     EXPECT_DOUBLE_EQ(at("energy.final"), 11.9);
     EXPECT_DOUBLE_EQ(at("momentum.error"), 0.05);  // axial alone: a ring's radial components cancel
+    EXPECT_EQ(at("momentum.initial.radial"), 3);
+    EXPECT_EQ(at("momentum.initial.axial"), 10);
+    EXPECT_EQ(at("momentum.final.axial"), 10.5);
     EXPECT_EQ(at("contact.impact.open_close_events"), 2);
     EXPECT_EQ(at("contact.impact.node_openings"), 6);
     EXPECT_EQ(at("contact.impact.impulse.axial"), 2.5);
@@ -110,6 +113,33 @@ TEST(Summary, CountsBothDirectionsOfPlaneMomentum) {
     EXPECT_DOUBLE_EQ(summary_value(summary, "momentum.error").value_or(-1), 0.3);
     EXPECT_EQ(summary_value(summary, "body.rod.velocity.y"), 5.02);
     EXPECT_TRUE(summary["momentum"].contains("angular_final"));
+}
+
+TEST(Summary, KeepsBodiesAndTheirEnergiesApart) {
+    RunSetup setup = rods();
+    setup.mesh.bodies[0].node_end = setup.mesh.bodies[1].node_begin = 2;
+    setup.mesh.bodies[1].node_end = 4;
+    setup.mesh.bodies[0].cell_end = setup.mesh.bodies[1].cell_begin = 1;
+    setup.mesh.bodies[1].cell_end = 2;
+    Snapshot end = last();
+    end.position = {0, 1, 2, 5, /* the rod's */ 3, -7, 4, -1};
+    end.plastic_strain = {0.5, 0.25};
+    RunStatistics counted = statistics();
+    counted.bodies = {{1, 2, 3, 4, 5}, {6, 7, 8, 9, 10}};
+    const auto summary = make_summary(setup, counted, *doubled_pulse(), end);
+    const auto at = [&](const char* path) { return summary_value(summary, path).value_or(-999); };
+    EXPECT_EQ(at("body.striker.extent.radial.max"), 2);
+    EXPECT_EQ(at("body.striker.extent.axial.length"), 4);
+    EXPECT_EQ(at("body.rod.extent.radial.min"), 3);
+    EXPECT_EQ(at("body.rod.extent.axial.min"), -7);
+    EXPECT_EQ(at("body.rod.extent.axial.max"), -1);
+    EXPECT_EQ(at("body.striker.plastic_strain_max"), 0.5);
+    EXPECT_EQ(at("body.rod.plastic_strain_max"), 0.25);
+    EXPECT_EQ(at("body.striker.energy.kinetic"), 1);
+    EXPECT_EQ(at("body.striker.energy.elastic"), 2);
+    EXPECT_EQ(at("body.striker.energy.plastic"), 3);
+    EXPECT_EQ(at("body.rod.energy.hourglass"), 9);
+    EXPECT_EQ(at("body.rod.energy.viscous"), 10);
 }
 
 TEST(SummaryValue, FindsNamesWithDotsAndNothingElse) {

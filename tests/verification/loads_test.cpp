@@ -60,6 +60,69 @@ TEST(PrescribedVelocity, PullsABarWithItsImpedance) {
     EXPECT_LT(run.solver.statistics().elastic_energy_error, 1e-4);
 }
 
+TEST(PrescribedVelocity, ActsBetweenTwoTimesOnly) {
+    // A pulse of stress rho c v as long as the pull; the edge is free before it and after it.
+    constexpr double v = 2, length = 100, area = 25 * std::numbers::pi;
+    const double from = 10 / wave_speed, until = 50 / wave_speed;
+    RecordedRun run(scene_of(
+        scene_head("axisymmetric", 90 / wave_speed, 0) +
+        box_body(
+            "bar", {0, 0, 5, length}, {2, 100}, "",
+            fmt::format("[[body.prescribed]]\nedge = \"top\"\ndirection = \"axial\"\nvelocity = {}\nfrom = "
+                        "{}\nuntil = {}",
+                        v, from, until))));
+    run.to_end();
+    const auto time = run.column("time"), drive = run.column("body.bar.drive.axial"),
+               dt = run.column("step.dt"), mean = run.column("body.bar.velocity.axial");
+    double impulse = 0, held = 0;
+    for (std::size_t n = 0; n < time.size(); ++n) {
+        const double middle = time[n] + 0.5 * dt[n];
+        if (middle < from) {
+            EXPECT_NEAR(mean[n], 0, 1e-12) << "moves before the pull at " << time[n];
+        }
+        if (middle < from || middle >= until) {
+            EXPECT_EQ(drive[n], 0);
+        }
+        if (drive[n] != 0) held += dt[n];
+        impulse += drive[n] * dt[n];
+    }
+    EXPECT_NEAR(held, until - from, dt[0]);  // whole steps
+    const double mass = density * area * length;
+    EXPECT_NEAR(impulse, mass * mean.back(), 1e-12 * impulse);  // Newton's second law, of sums: to rounding
+
+    // The edge nodes, half an element of 1 mm, jump to v in the first of the held steps; in each of the
+    // others the bar pulls with rho c v A.
+    const double force = density * wave_speed * v * area, jump = density * area * 0.5 * v;
+    EXPECT_NEAR(impulse, force * (held - dt[0]) + jump, 0.005 * force * held);
+    const auto snapshot = run.solver.snapshot();
+    double behind = 0, within = 0;  // at 90/c: front 80 mm from the top, end of the pulse 40 mm
+    for (std::size_t row = 25; row < 55; ++row) within += snapshot->stress[2 * row][1] / 30;
+    for (std::size_t row = 70; row < 100; ++row) behind += snapshot->stress[2 * row][1] / 30;
+    const double stress = density * wave_speed * v;
+    EXPECT_NEAR(within, stress, 0.02 * stress);
+    EXPECT_NEAR(behind, 0, 0.02 * stress);
+    EXPECT_LT(run.unexplained_energy(), 1e-12 * force * v * held);
+}
+
+TEST(PrescribedVelocity, TwoMotionsFollowEachOther) {
+    // Up, held still, free: the later motion takes over where the earlier one ends.
+    const std::string
+        up = "[[body.prescribed]]\ndirection = \"axial\"\nvelocity = 2\nuntil = 0.01\n",
+        still = "[[body.prescribed]]\ndirection = \"axial\"\nvelocity = 0\nfrom = 0.005\nuntil = 0.02\n";
+    RecordedRun run(scene_of(scene_head("axisymmetric", 0.03, 0) +
+                             box_body("bar", {0, 0, 5, 20}, {2, 20}, "", up + still)));
+    run.to_end();
+    const auto time = run.column("time"), mean = run.column("body.bar.velocity.axial");
+    for (std::size_t n = 1; n < time.size(); ++n) {  // the mean of the steps before and after
+        if (time[n] < 0.0098) {
+            EXPECT_NEAR(mean[n], 2, 1e-12) << time[n];
+        }
+        if (time[n] > 0.0102) {
+            EXPECT_NEAR(mean[n], 0, 1e-12) << time[n];
+        }
+    }
+}
+
 TEST(EdgeLoads, PushABarWithItsImpedance) {
     // Particle velocity p / (rho c); pressure and traction agree on a face that stays flat.
     const double end = 80 / wave_speed, pressure = 0.1;

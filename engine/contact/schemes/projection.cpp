@@ -3,10 +3,22 @@
 #include <algorithm>
 #include <utility>
 
+#include "dynamics/double2.hpp"
+
 namespace percuss {
 
 Projection::Projection(PenetrationSearch search, ContactSign sign, std::int32_t node_count)
-    : search_(std::move(search)), sign_(sign), assembly_(node_count) {}
+    : search_(std::move(search)), sign_(sign), assembly_(node_count) {
+    // No step allocates, the first contact included.
+    const std::size_t most = search_.master().nodes.size();
+    rows_.reserve(most);
+    assembly_.reserve(most);
+    matrix_.reserve(most);
+    cholesky_.reserve(most);
+    penetration_.reserve(most);
+    force_.reserve(most);
+    active_.reserve(most);
+}
 
 void Projection::find(const PredictedMotion& motion) { search_.find(motion.nodes, motion.dt, rows_); }
 
@@ -14,7 +26,10 @@ void Projection::resolve(PredictedMotion& motion) {
     negative_ = 0;
     if (rows_.empty()) return;
     solve_forces(motion);
-    for (const ContactRow& row : rows_) correct(row, motion);
+    for (const ContactRow& row : rows_) {
+        correct(row, motion);
+        motion.touched->insert(motion.touched->end(), row.node.begin(), row.node.end());
+    }
 }
 
 void Projection::solve_forces(const PredictedMotion& motion) {
@@ -34,17 +49,16 @@ void Projection::solve_forces(const PredictedMotion& motion) {
 }
 
 void Projection::correct(const ContactRow& row, PredictedMotion& motion) const {
-    const double impulse = motion.kick * row.force;
+    const Double2 impulse = motion.kick * row.force * load_pair(row.normal.data());
     for (std::size_t k = 0; k < 3; ++k) {
         const auto node = static_cast<std::size_t>(row.node[k]);
-        motion.touched->push_back(row.node[k]);
-        for (std::size_t d = 0; d < 2; ++d) {
-            const double share = impulse * row.share[k] * row.normal[d];
-            const double change = motion.inverse_mass[2 * node + d] * share;
-            motion.impulse[2 * node + d] += share;
-            motion.nodes[node].v[d] += change;
-            motion.nodes[node].x[d] += motion.dt * change;
-        }
+        const Double2 share = row.share[k] * impulse;
+        const Double2 change = load_pair(motion.inverse_mass + 2 * node) * share;
+        double* const received = motion.impulse + 2 * node;
+        store_pair(received, load_pair(received) + share);
+        Node& moved = motion.nodes[node];
+        store_pair(moved.v, load_pair(moved.v) + change);
+        store_pair(moved.x, load_pair(moved.x) + motion.dt * change);
     }
 }
 

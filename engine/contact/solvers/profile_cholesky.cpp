@@ -5,16 +5,8 @@
 namespace percuss {
 
 void ProfileMatrix::clear() {
-    first_.clear();
-    origin_.clear();
+    rows_.clear();
     values_.clear();
-}
-
-void ProfileMatrix::append_row(std::int32_t first) {
-    const std::int32_t k = rows();
-    origin_.push_back(static_cast<std::ptrdiff_t>(values_.size()) - first);
-    first_.push_back(first);
-    values_.resize(values_.size() + static_cast<std::size_t>(k - first + 1), 0.0);
 }
 
 void ProfileMatrix::multiply(std::span<const double> x, std::span<double> y) const {

@@ -13,16 +13,27 @@ class ProfileMatrix {
   public:
     /// Empties the matrix and keeps its memory.
     void clear();
+    /// Room for so many rows of the band that a chain of master nodes makes.
+    void reserve(std::size_t rows) {
+        rows_.reserve(rows);
+        values_.reserve(4 * rows);
+    }
     /// Appends row k = rows() with zeros from column `first` <= k to the diagonal.
-    void append_row(std::int32_t first);
-    [[nodiscard]] std::int32_t rows() const { return static_cast<std::int32_t>(first_.size()); }
-    [[nodiscard]] std::int32_t first(std::int32_t row) const { return first_[static_cast<std::size_t>(row)]; }
+    void append_row(std::int32_t first) {
+        const std::int32_t begin = static_cast<std::int32_t>(values_.size());
+        values_.resize(static_cast<std::size_t>(begin + rows() - first + 1), 0.0);
+        rows_.push_back({first, begin - first});
+    }
+    [[nodiscard]] std::int32_t rows() const { return static_cast<std::int32_t>(rows_.size()); }
+    [[nodiscard]] std::int32_t first(std::int32_t row) const {
+        return rows_[static_cast<std::size_t>(row)].first;
+    }
     /// Row k so that row(k)[column] is its entry, first(k) <= column <= k.
     [[nodiscard]] double* row(std::int32_t k) {
-        return values_.data() + origin_[static_cast<std::size_t>(k)];
+        return values_.data() + rows_[static_cast<std::size_t>(k)].origin;
     }
     [[nodiscard]] const double* row(std::int32_t k) const {
-        return values_.data() + origin_[static_cast<std::size_t>(k)];
+        return values_.data() + rows_[static_cast<std::size_t>(k)].origin;
     }
     /// Entry of the lower triangle, first(row) <= column <= row.
     [[nodiscard]] double& at(std::int32_t row_index, std::int32_t column) { return row(row_index)[column]; }
@@ -33,9 +44,11 @@ class ProfileMatrix {
     void multiply(std::span<const double> x, std::span<double> y) const;
 
   private:
-    std::vector<std::int32_t> first_;
-    std::vector<std::ptrdiff_t>
-        origin_;  ///< index in values_ of each row's column 0, which need not be stored
+    struct Row {
+        std::int32_t first;
+        std::int32_t origin;  ///< index in values_ of column 0, which need not be stored: may be negative
+    };
+    std::vector<Row> rows_;
     std::vector<double> values_;
 };
 
@@ -44,6 +57,10 @@ class ProfileMatrix {
 /// gets the answer 0.
 class ProfileCholesky {
   public:
+    void reserve(std::size_t rows) {
+        factor_.reserve(rows);
+        inverse_pivot_.reserve(rows);
+    }
     /// @returns number of dependent rows, not counting those whose diagonal is zero.
     int factorise(const ProfileMatrix& matrix, std::span<const char> active);
     /// Solves in place; answers of rows left out are 0.
