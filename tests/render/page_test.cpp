@@ -135,8 +135,9 @@ TEST(View, DrawsWallsHatchedOnTheirOwnSide) {
         return count_pixels(with, where, ink) - count_pixels(without, where, ink);
     };
     EXPECT_GT(added({40, 480, 300, 560}), 400);
+    EXPECT_GT(added({40, 529, 300, 560}), 100);
     EXPECT_GT(added({980, 480, 1240, 560}), 400);
-    EXPECT_EQ(added({40, 100, 300, 470}), 0);
+    EXPECT_EQ(added({40, 100, 300, 521}), 0);
 }
 
 TEST(Page, RefusesAPageWithoutSizeAndAnUnknownField) {
