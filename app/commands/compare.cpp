@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -33,8 +34,11 @@ void print_table(const std::vector<Difference>& differences, const std::array<st
                  double least) {
     std::size_t width = 8;
     std::vector<const Difference*> shown;
+    std::map<std::string, double> largest;  // of each unit: rounding noise beside it is no difference
     for (const Difference& d : differences)
-        if (100 * std::abs(d.relative()) >= least && d.a != d.b) {
+        largest[d.unit] = std::max({largest[d.unit], std::abs(d.a), std::abs(d.b)});
+    for (const Difference& d : differences)
+        if (100 * std::abs(d.relative()) >= least && std::abs(d.b - d.a) > 1e-9 * largest[d.unit]) {
             shown.push_back(&d);
             width = std::max(width, d.path.size());
         }
@@ -46,6 +50,11 @@ void print_table(const std::vector<Difference>& differences, const std::array<st
                    std::isfinite(change) ? fmt::format("{:+.1f} %", change) : "");
     }
     fmt::print("{} of {} numbers differ by {} % or more\n", shown.size(), differences.size(), least);
+}
+
+/// What --set changed is no parameter of the scene but may be all that differs.
+void print_settings(const RecordedRun& run, const std::string& name) {
+    for (const std::string& setting : run.setup->scene.overrides) fmt::print("{}: --set {}\n", name, setting);
 }
 
 int compare(const CompareOptions& options) {
@@ -62,6 +71,8 @@ int compare(const CompareOptions& options) {
     if (names[0] == names[1]) names = {options.a, options.b};
     const render::Page page = make_comparison(a, b, names);
     const std::vector<Difference> differences = compare_runs(a, b);
+    print_settings(a, names[0]);
+    print_settings(b, names[1]);
     print_table(differences, names, options.least);
     if (out.has_parent_path()) std::filesystem::create_directories(out.parent_path());
     const auto context = render::make_offscreen_context();

@@ -29,7 +29,7 @@ std::vector<Ranked> largest_forces(const RecordedRun& a, const RecordedRun& b) {
     std::vector<Ranked> forces;
     for (const ContactPair& pair : a.setup->scene.contacts)
         for (const std::string& direction : direction_names(a.setup->scene.geometry)) {
-            const std::string path = fmt::format("contact.{}.peak.{}", pair.name, direction);
+            const std::string path = fmt::format("contact.{}.peak_averaged.{}", pair.name, direction);
             if (!summary_value(b.summary, path)) continue;
             forces.push_back({fmt::format("contact.{}.{}", pair.name, direction),
                               pair.name + ", " + direction,
@@ -147,7 +147,8 @@ render::Table table_of(const std::vector<Difference>& differences, const std::ar
         if (std::abs(d.relative()) < worth_a_row) return false;
         // Of the forces and extents those that say most in a line: peaks, and the lowest points.
         return d.path.starts_with("parameters.") || d.path.starts_with("analysis.") ||
-               d.path.find(".peak.") != std::string::npos || d.path.find(".residual.") != std::string::npos ||
+               d.path.find(".peak_averaged.") != std::string::npos ||
+               d.path.find(".residual.") != std::string::npos ||
                d.path.find(".velocity.") != std::string::npos || d.path.ends_with(".min") ||
                d.path.ends_with("plastic_strain_max");
     };

@@ -10,7 +10,7 @@ namespace percuss::app {
 
 /// One number of two runs.
 struct Difference {
-    std::string path;  ///< in summary.json: "contact.impact.peak.axial"
+    std::string path;  ///< in summary.json: "contact.impact.peak_averaged.axial"
     std::string unit;
     double a = 0, b = 0;
     [[nodiscard]] double relative()

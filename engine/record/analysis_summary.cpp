@@ -34,8 +34,8 @@ Json analyse(const Scene& scene, const History& history, Json& contacts) {
     const ContactAnalysis analysis = analyse_contacts(scene, history);
     for (const ContactMeans& pair : analysis.pairs) {
         Json& of_pair = contacts[pair.pair];
-        of_pair["peak"] = by_direction(scene, pair.peak);
-        of_pair["peak_time"] = by_direction(scene, pair.peak_time);
+        of_pair["peak_averaged"] = by_direction(scene, pair.peak);
+        of_pair["peak_averaged_time"] = by_direction(scene, pair.peak_time);
         of_pair["residual"] = by_direction(scene, pair.residual);
     }
     result["window"] = analysis.window;

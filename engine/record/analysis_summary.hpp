@@ -7,7 +7,8 @@
 
 namespace percuss {
 
-/// Adds peaks and residual forces to `contacts` (contact.PAIR.peak, peak_time, residual by direction).
+/// Adds peaks and residual forces to `contacts` (contact.PAIR.peak_averaged, peak_averaged_time, residual by
+/// direction).
 /// @returns `analysis`: the window and times they belong to, and the pull-out estimate. Empty without rows or
 /// contacts.
 [[nodiscard]] nlohmann::ordered_json analyse(const Scene& scene, const History& history,
