@@ -15,7 +15,7 @@ constexpr const char* description =
 
 A scene (a TOML file) says what is made of what, how fast it moves and what touches what. A run steps it through
 time and leaves in DIR: run.h5 (mesh, frames, histories), history.csv (one row a step), summary.json (energies, peak
-forces, timings) and frames/000000.png, ... Units are those that the scene declares.)";
+forces, timings), frames/000000.png, ... and the figures that the scene declares. Units are those that the scene declares.)";
 
 constexpr const char* examples = R"(Examples:
   percuss check scenes/rods.toml                     is the scene sound, how large is it
@@ -23,7 +23,9 @@ constexpr const char* examples = R"(Examples:
   percuss run scenes/rods.toml --out out/rods        compute, record, draw
   percuss run scenes/rods.toml --out out/half --set model.step.courant=0.5 --film out/half.mp4
   percuss render out/rods --field velocity.axial --all --out out/rods/velocity
+  percuss figures out/nail                           all figures of a run: out/nail/figures/NAME.png
   percuss figures out/rods out/half --column contact.impact.axial --out out/force.png
+  percuss compare out/nail out/thin --out out/thin.png    two designs on one page
 
 Exit status: 0 done, 1 the run failed, 2 bad scene or bad usage, 3 a promise was broken (run --strict),
 130 interrupted (what was computed is complete on disk).)";
@@ -42,6 +44,7 @@ int main(int argc, char** argv) {
     add_info(app, job);
     add_render(app, job);
     add_figures(app, job);
+    add_compare(app, job);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -24,6 +24,7 @@ class OutputDirectory {
     [[nodiscard]] std::filesystem::path history_file() const { return path_ / "history.csv"; }
     [[nodiscard]] std::filesystem::path summary_file() const { return path_ / "summary.json"; }
     [[nodiscard]] std::filesystem::path frames() const { return path_ / "frames"; }
+    [[nodiscard]] std::filesystem::path figures() const { return path_ / "figures"; }
 
   private:
     std::filesystem::path path_;

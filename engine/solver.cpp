@@ -233,6 +233,17 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
         for (std::int32_t element = 0; element < batch.count; ++element)
             snapshot->stress.push_back(mean_stress(batch, state_.nodes.data(), element));
     add_plastic_fields(*snapshot);
+    add_contacts(snapshot.get());
+    for (std::size_t body = 0; body < body_mass_.size(); ++body) {
+        const auto& momentum = state_.ledger.body_momentum[body];
+        snapshot->bodies.push_back({{momentum[0] / body_mass_[body], momentum[1] / body_mass_[body]}});
+    }
+    snapshot->body_energies = body_energies();
+    snapshot->energy = state_.ledger.present;
+    return snapshot;
+}
+
+void Solver::add_contacts(Snapshot* snapshot) const {
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         snapshot->pairs.push_back(pairs_[p].state);
         std::vector<ContactForce> slaves;
@@ -260,12 +271,6 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
         }
         snapshot->contact_forces.insert(snapshot->contact_forces.end(), slaves.begin(), slaves.end());
     }
-    for (std::size_t body = 0; body < body_mass_.size(); ++body) {
-        const auto& momentum = state_.ledger.body_momentum[body];
-        snapshot->bodies.push_back({{momentum[0] / body_mass_[body], momentum[1] / body_mass_[body]}});
-    }
-    snapshot->energy = state_.ledger.present;
-    return snapshot;
 }
 
 void Solver::add_plastic_fields(Snapshot& snapshot) const {

@@ -57,6 +57,8 @@ class Solver {
     [[nodiscard]] std::int64_t steps() const { return state_.step; }
     [[nodiscard]] double critical_step() const { return state_.critical_step; }
     [[nodiscard]] std::shared_ptr<Snapshot> snapshot() const;
+    /// The contact part of a snapshot: pair states and nodal contact forces of the last step.
+    void add_contacts(Snapshot* snapshot) const;
     /// @param complete false leaves out what needs a pass over all elements: state hash, strain energy check.
     [[nodiscard]] RunStatistics statistics(bool complete = true) const;
 

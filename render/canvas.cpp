@@ -87,6 +87,17 @@ void Canvas::rectangle(const Rect& rect, Colour fill, double opacity) {
                       static_cast<float>(rect.height));
 }
 
+void Canvas::quad(const std::array<std::array<double, 2>, 4>& corners, Colour fill) {
+    context_.GetPen()->SetLineType(vtkPen::NO_PEN);
+    set_brush(context_, fill);
+    std::array<float, 8> points{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        points[2 * i] = static_cast<float>(corners[i][0]);
+        points[2 * i + 1] = static_cast<float>(corners[i][1]);
+    }
+    context_.DrawPolygon(points.data(), 4);
+}
+
 void Canvas::disc(double x, double y, double radius, Colour fill) {
     context_.GetPen()->SetLineType(vtkPen::NO_PEN);
     for (const auto& [r, colour] : {std::pair{radius + 1, ink::white}, std::pair{radius, fill}}) {

@@ -51,6 +51,8 @@ class Canvas {
     [[nodiscard]] std::array<double, 2> text_size(const std::string& words, const TextStyle& style);
     void line(double x0, double y0, double x1, double y1, Colour colour, double width);
     void rectangle(const Rect& rect, Colour fill, double opacity = 1);
+    /// A convex quadrilateral.
+    void quad(const std::array<std::array<double, 2>, 4>& corners, Colour fill);
     void disc(double x, double y, double radius, Colour fill);
     void image(const Rect& rect, vtkImageData* picture);
     /// An arrow with a filled head and a thin white rim that keeps it apart from what lies under it.

@@ -15,5 +15,6 @@ void add_check(CLI::App& app, Job& job);
 void add_info(CLI::App& app, Job& job);
 void add_render(CLI::App& app, Job& job);
 void add_figures(CLI::App& app, Job& job);
+void add_compare(CLI::App& app, Job& job);
 
 }  // namespace percuss::app

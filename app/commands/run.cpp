@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "exit_status.hpp"
+#include "figures/draw_run.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -52,8 +53,9 @@ class Stopwatch {
 class Recorder {
   public:
     Recorder(const OutputDirectory& out, std::shared_ptr<const RunSetup> setup,
-             std::shared_ptr<const History> history, std::optional<DrawingTargets> drawing)
-        : history_(std::move(history)), writer_(out.run_file(), setup, history_->columns()) {
+             std::shared_ptr<const History> history, const std::vector<Trace>& traces,
+             std::optional<DrawingTargets> drawing)
+        : history_(std::move(history)), writer_(out.run_file(), setup, history_->columns(), traces) {
         if (drawing) drawing_.emplace(setup, setup->scene.view, std::move(*drawing));
     }
 
@@ -82,7 +84,10 @@ class Recorder {
         if (drawing_) drawing_->finish();
     }
 
-    void finish(const std::string& summary) { writer_.finish(summary); }
+    void finish(const std::string& summary) {
+        writer_.finish(summary);
+        drawing_.reset();
+    }
     [[nodiscard]] long long frames() const { return frames_; }
 
     double record_seconds = 0, render_seconds = 0;
@@ -147,7 +152,8 @@ int run(const RunOptions& options) {
     std::optional<DrawingTargets> drawing;
     if (!options.no_render) drawing = DrawingTargets{out.frames(), options.film};
     out.make();
-    Recorder recorder(out, first->setup, session.engine().history(), std::move(drawing));
+    Recorder recorder(out, first->setup, session.engine().history(), session.engine().traces(),
+                      std::move(drawing));
     const bool interrupted = follow(session, recorder, scene, cells);
 
     const auto last = session.engine().snapshot();
@@ -171,6 +177,9 @@ int run(const RunOptions& options) {
                    frame_name(recorder.frames() - 1));
     }
     if (options.film) fmt::print("{}\n", *options.film);
+    if (!options.no_render)
+        for (const auto& file : draw_declared_figures(out.run_file(), out.figures()))
+            fmt::print("{}\n", file.string());
     if (last->status == RunStatus::diverged) return exit_status::run_failed;
     if (interrupted && last->status != RunStatus::finished) return exit_status::interrupted;
     return kept || !options.strict ? exit_status::ok : exit_status::promise_broken;

@@ -18,5 +18,7 @@ inline constexpr int format_version = 2;
 
 inline constexpr std::array<std::string_view, 7> energy_columns{"kinetic", "internal", "hourglass", "viscous",
                                                                 "contact", "external", "plastic"};
+inline constexpr std::array<std::string_view, 5> body_energy_columns{"kinetic", "elastic", "plastic", "hourglass",
+                                                                     "viscous"};
 
 }  // namespace percuss::layout

@@ -8,6 +8,7 @@
 
 #include "run/history.hpp"
 #include "run/snapshot.hpp"
+#include "run/trace.hpp"
 
 namespace percuss {
 
@@ -22,13 +23,14 @@ class RunFileWriter {
   public:
     /// @throws RecordError when the file exists or cannot be made.
     RunFileWriter(const std::filesystem::path& file, std::shared_ptr<const RunSetup> setup,
-                  const std::vector<HistoryColumn>& columns);
+                  const std::vector<HistoryColumn>& columns, const std::vector<Trace>& traces = {});
     ~RunFileWriter();
     RunFileWriter(const RunFileWriter&) = delete;
     RunFileWriter& operator=(const RunFileWriter&) = delete;
 
     void add_frame(const Snapshot& snapshot);
-    /// Appends the rows that came since the last call, every scene.record.history_every-th of them.
+    /// Appends the rows that came since the last call, every scene.record.history_every-th of them, and those
+    /// of the traces.
     void add_history(const History& history);
     void finish(const std::string& summary_json);
 
@@ -44,8 +46,10 @@ class RunFile {
     ~RunFile();
     [[nodiscard]] std::shared_ptr<const RunSetup> setup() const;
     [[nodiscard]] std::int64_t frames() const;
+    [[nodiscard]] std::vector<double> frame_times() const;  ///< of all frames [time]
     [[nodiscard]] std::shared_ptr<const Snapshot> frame(std::int64_t index) const;
     [[nodiscard]] std::shared_ptr<const History> history() const;
+    [[nodiscard]] std::vector<Trace> traces() const;
     [[nodiscard]] std::string summary() const;  ///< JSON text, "" when the run did not finish
 
   private:

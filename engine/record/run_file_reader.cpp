@@ -7,6 +7,7 @@
 #include "record/hdf5.hpp"
 #include "record/layout.hpp"
 #include "record/mesh_record.hpp"
+#include "record/trace_record.hpp"
 #include "run/fields.hpp"
 #include "scene/parse.hpp"
 
@@ -107,6 +108,12 @@ struct RunFile::Impl {
         }
         const auto velocity = row<double>("body_velocity", index, 2 * bodies);
         for (std::size_t b = 0; b < bodies; ++b) snapshot.bodies.push_back({pair_at(velocity, b)});
+        if (hdf5::has_object(frames.id(), "body_energies")) {  // not in files of earlier versions
+            const auto of_bodies =
+                row<double>("body_energies", index, layout::body_energy_columns.size() * bodies);
+            for (auto e = of_bodies.begin(); e != of_bodies.end(); e += layout::body_energy_columns.size())
+                snapshot.body_energies.push_back({e[0], e[1], e[2], e[3], e[4]});
+        }
         const auto e = row<double>("energies", index, layout::energy_columns.size());
         snapshot.energy = {e[0], e[1], e[2], e[3], e[4], e[5], e[6]};
     }
@@ -132,7 +139,8 @@ struct RunFile::Impl {
             snapshot->plastic_strain = row<double>("plastic_strain", index, cells);
             snapshot->yield_stress = row<double>("yield_stress", index, cells);
         }
-        if (ambient_temperature(setup->scene)) snapshot->temperature = row<double>("temperature", index, cells);
+        if (ambient_temperature(setup->scene))
+            snapshot->temperature = row<double>("temperature", index, cells);
         read_contacts(index, *snapshot);
         read_states(index, *snapshot);
         const std::int32_t status = row<std::int32_t>("status", index, 1).front();
@@ -202,12 +210,22 @@ std::shared_ptr<const RunSetup> RunFile::setup() const { return impl_->setup; }
 
 std::int64_t RunFile::frames() const { return impl_->frame_count; }
 
+std::vector<double> RunFile::frame_times() const {
+    return impl_->named([&] {
+        return Rows(impl_->frames.id(), "time").read<double>(0, static_cast<hsize_t>(impl_->frame_count));
+    });
+}
+
 std::shared_ptr<const Snapshot> RunFile::frame(std::int64_t index) const {
     return impl_->named([&] { return impl_->read_frame(index); });
 }
 
 std::shared_ptr<const History> RunFile::history() const {
     return impl_->named([&] { return impl_->read_history(); });
+}
+
+std::vector<Trace> RunFile::traces() const {
+    return impl_->named([&] { return read_traces(impl_->file.id()); });
 }
 
 std::string RunFile::summary() const {

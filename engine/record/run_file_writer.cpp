@@ -8,6 +8,7 @@
 #include "record/layout.hpp"
 #include "record/machine.hpp"
 #include "record/mesh_record.hpp"
+#include "record/trace_record.hpp"
 #include "run/fields.hpp"
 
 namespace percuss {
@@ -77,7 +78,9 @@ struct RunFileWriter::Impl {
     Rows position, velocity, stress, von_mises, pressure;
     Rows plastic_strain, yield_stress, temperature;
     Rows contact_begin, contact_node, contact_pair, contact_master, contact_force;
-    Rows pair_force, pair_active, pair_penetration, body_velocity, energies;
+    Rows pair_force, pair_active, pair_penetration, body_velocity, body_energies, energies;
+    Handle trace_group;
+    std::vector<TraceWriter> traces;
     Rows history_rows, summary;
     Counter frame_count, history_count;
     std::int64_t frames_written = 0;
@@ -127,6 +130,10 @@ struct RunFileWriter::Impl {
             pair_penetration = number_rows(frames, "pair_penetration", Quantity::length, {pairs}, few);
         }
         body_velocity = number_rows(frames, "body_velocity", Quantity::velocity, {bodies, 2}, few);
+        body_energies = number_rows(frames, "body_energies", Quantity::energy,
+                                    {bodies, layout::body_energy_columns.size()}, few);
+        hdf5::write_attribute(body_energies.id(), "columns",
+                              fmt::format("{}", fmt::join(layout::body_energy_columns, ",")));
         energies = number_rows(frames, "energies", Quantity::energy, {layout::energy_columns.size()}, few);
         hdf5::write_attribute(energies.id(), "columns",
                               fmt::format("{}", fmt::join(layout::energy_columns, ",")));
@@ -147,6 +154,23 @@ struct RunFileWriter::Impl {
         hdf5::write_attribute(history.id(), "every", static_cast<std::int64_t>(every));
         history_rows = Rows(history.id(), "rows", H5T_NATIVE_DOUBLE, {columns.size()}, 1024);
         history_count = Counter(history.id(), "count");
+    }
+
+    void create_traces(const std::vector<Trace>& recorded) {
+        if (recorded.empty()) return;
+        trace_group = hdf5::create_group(file.id(), "traces");
+        std::vector<std::string> names;
+        for (const Trace& trace : recorded) {
+            names.push_back(trace.name);
+            traces.emplace_back(trace_group.id(), trace, setup->scene.units);
+        }
+        hdf5::write_texts(trace_group.id(), "name", names);
+    }
+
+    void append_traces() {
+        for (TraceWriter& trace : traces) trace.append();
+        if (!traces.empty()) flush();
+        for (TraceWriter& trace : traces) trace.count();
     }
 
     void flush() const { hdf5::check(H5Fflush(file.id(), H5F_SCOPE_LOCAL), path.string()); }
@@ -198,9 +222,14 @@ struct RunFileWriter::Impl {
             body.insert(body.end(), state.velocity.begin(), state.velocity.end());
         }
         body_velocity.append(std::span<const double>(body));
+        std::vector<double> of_bodies;
+        for (const BodyEnergies& e : snapshot.body_energies)
+            of_bodies.insert(of_bodies.end(), {e.kinetic, e.elastic, e.plastic, e.hourglass, e.viscous});
+        of_bodies.resize(layout::body_energy_columns.size() * snapshot.bodies.size());
+        body_energies.append(std::span<const double>(of_bodies));
         const Energies& e = snapshot.energy;
-        const std::array<double, layout::energy_columns.size()> energy{e.kinetic, e.internal, e.hourglass,
-                                                                       e.viscous, e.contact,  e.external, e.plastic};
+        const std::array<double, layout::energy_columns.size()> energy{
+            e.kinetic, e.internal, e.hourglass, e.viscous, e.contact, e.external, e.plastic};
         energies.append(std::span<const double>(energy));
     }
 
@@ -250,7 +279,7 @@ struct RunFileWriter::Impl {
 };
 
 RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::shared_ptr<const RunSetup> setup,
-                             const std::vector<HistoryColumn>& columns)
+                             const std::vector<HistoryColumn>& columns, const std::vector<Trace>& traces)
     : impl_(std::make_unique<Impl>()) {
     impl_->path = file;
     impl_->setup = std::move(setup);
@@ -265,6 +294,7 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::shared_ptr<
         write_mesh(mesh.id(), impl_->setup->mesh, scene.units.label(Quantity::length));
         impl_->create_frames();
         impl_->create_history(columns);
+        impl_->create_traces(traces);
         impl_->summary = Rows(impl_->file.id(), "summary", H5T_NATIVE_UINT8, {}, 4096);
     });
     impl_->named([&] { hdf5::check(H5Fstart_swmr_write(impl_->file.id()), "live writing"); });
@@ -277,7 +307,10 @@ void RunFileWriter::add_frame(const Snapshot& snapshot) {
 }
 
 void RunFileWriter::add_history(const History& history) {
-    impl_->named([&] { impl_->append_history(history); });
+    impl_->named([&] {
+        impl_->append_history(history);
+        impl_->append_traces();
+    });
 }
 
 void RunFileWriter::finish(const std::string& summary_json) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "record/analysis_summary.hpp"
 #include "record/summary_history.hpp"
 #include "run/fields.hpp"
 #include "run/force_error.hpp"
@@ -211,10 +212,13 @@ nlohmann::ordered_json make_summary(const RunSetup& setup, const RunStatistics& 
     summary["critical_step"] = statistics.critical_step_initial;
     summary["critical_step_min"] = statistics.critical_step_min;
     summary["energy"] = energy(statistics, last.energy);
+    summary["energy_budget"] = budget_summary(last);
     summary["momentum"] = momentum(statistics, names, scene.geometry);
     if (!scene.contacts.empty()) summary["contact_solver"] = contact_solver(scene, statistics);
-    summary["contact"] = contacts(scene, statistics, history, names);
+    Json& pairs = summary["contact"] = contacts(scene, statistics, history, names);
+    Json analysis = analyse(scene, history, pairs);
     summary["body"] = bodies(setup, statistics, history, last, names);
+    summary["analysis"] = std::move(analysis);
     summary["exact"] = exact_answers(scene, history);
     summary["state_hash"] = statistics.state_hash;
     summary["units"] = unit_labels(scene.units);

@@ -41,6 +41,7 @@ struct Engine::Impl {
     EngineOptions options;
     std::unique_ptr<Solver> solver;
     std::shared_ptr<History> recording;
+    std::unique_ptr<TraceRecorder> tracing;
     SolverState safe_state;
     std::int64_t next_safe_state = 0;
     std::int64_t frames = 0;
@@ -58,6 +59,7 @@ struct Engine::Impl {
     bool idle = false, ended = false;
     std::shared_ptr<const Snapshot> published;
     std::shared_ptr<const History> history;
+    std::vector<Trace> traces;
     RunStatistics statistics;
     std::vector<std::string> messages;
 
@@ -67,6 +69,7 @@ struct Engine::Impl {
 
     void begin_run() {
         recording = std::make_shared<History>(Solver::history_columns(solver->setup()->scene));
+        tracing = std::make_unique<TraceRecorder>(*solver->setup());
         frames = 0;
         next_safe_state = 0;
         history_seconds = 0;
@@ -90,6 +93,7 @@ struct Engine::Impl {
         const std::lock_guard lock(mutex);
         published = std::move(snapshot);
         history = recording;
+        traces = tracing->traces();
         statistics = std::move(counted);
         status = state;
     }
@@ -126,6 +130,14 @@ struct Engine::Impl {
         end_run(RunStatus::diverged);
     }
 
+    template <class Sampling>
+    void trace(Sampling sampling) {
+        if (tracing->none()) return;
+        const auto before = std::chrono::steady_clock::now();
+        sampling();
+        history_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    }
+
     void append_history(double time) {
         const auto before = std::chrono::steady_clock::now();
         const auto row = solver->history_row();
@@ -145,7 +157,9 @@ struct Engine::Impl {
         emit_due_frame();
         const double time = solver->time();
         const std::int64_t step = solver->steps();
+        trace([&] { tracing->before_step(*solver); });
         const auto divergence = solver->step();
+        if (!divergence) trace([&] { tracing->after_step(*solver, time); });
         append_history(time);
         if (divergence) {
             diverge(divergence->message, step);
@@ -188,6 +202,7 @@ struct Engine::Impl {
                 return;
             }
             auto fresh = make_solver(changed);
+            static_cast<void>(TraceRecorder(*fresh->setup()));  // throws before anything is changed
             scene = std::move(changed);
             solver = std::move(fresh);
             begin_run();
@@ -290,6 +305,11 @@ std::shared_ptr<const Snapshot> Engine::snapshot() {
 std::shared_ptr<const History> Engine::history() const {
     const std::lock_guard lock(impl_->mutex);
     return impl_->history;
+}
+
+std::vector<Trace> Engine::traces() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->traces;
 }
 
 RunStatistics Engine::statistics() const {

@@ -14,6 +14,7 @@
 #include "run/history.hpp"
 #include "run/snapshot.hpp"
 #include "run/statistics.hpp"
+#include "run/trace.hpp"
 
 namespace percuss {
 
@@ -65,6 +66,8 @@ class Engine {
     [[nodiscard]] std::shared_ptr<const Snapshot> snapshot();
     /// Histories of the present run (a reset begins a new one).
     [[nodiscard]] std::shared_ptr<const History> history() const;
+    /// What the scene's figures sample in the present run; their rows are append-only, too.
+    [[nodiscard]] std::vector<Trace> traces() const;
     [[nodiscard]] RunStatistics statistics() const;  ///< as of the newest published snapshot
     /// Never ahead of the snapshot: once this says finished, the last snapshot is published.
     [[nodiscard]] RunStatus status() const;

@@ -54,6 +54,13 @@ struct BodyState {
     std::array<double, 2> velocity{0, 0};  ///< mass-averaged [velocity]
 };
 
+/// Where a body's energy is or went, [energy] as in Energies.
+struct BodyEnergies {
+    double kinetic = 0;  ///< at the snapshot's velocities, half a step before its time
+    double elastic = 0;  ///< stored by strains
+    double plastic = 0, hourglass = 0, viscous = 0;  ///< works since the start
+};
+
 enum class RunStatus { paused, running, finished, diverged };
 
 /// One moment of a run: immutable, complete, taken without stopping the engine.
@@ -72,6 +79,7 @@ struct Snapshot {
     std::vector<ContactForce> contact_forces;
     std::vector<PairState> pairs;   ///< in the order of scene.contacts
     std::vector<BodyState> bodies;  ///< in the order of scene.bodies
+    std::vector<BodyEnergies> body_energies;  ///< likewise; empty in runs recorded before they existed
     Energies energy;
     RunStatus status = RunStatus::paused;
     std::string message;  ///< why the run paused, when it diverged

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "run/snapshot.hpp"
+
 namespace percuss {
 
 /// Wall-clock seconds by phase of the run.
@@ -36,13 +38,6 @@ struct ContactSolverStatistics {
     std::int64_t rows = 0;        ///< in all of them
     int most_iterations = 0;      ///< for one of them
     std::int32_t most_rows = 0;   ///< in one of them
-};
-
-/// Where a body's energy went, [energy] as in Energies.
-struct BodyEnergies {
-    double kinetic = 0;                              ///< at the last velocities, half a step before the end
-    double elastic = 0;                              ///< stored by strains
-    double plastic = 0, hourglass = 0, viscous = 0;  ///< works since the start
 };
 
 /// What a run did, counted while it ran.

@@ -16,7 +16,8 @@ void check_word(TableReader& reader, std::string_view key, std::string_view noun
 
 void read_colouring(TableReader& reader, const Scene& scene, ViewOptions& view) {
     if (const auto field = reader.text("field")) {
-        if (const auto fault = fault_of_field(scene, "field", *field); !fault.empty()) reader.error("field", fault);
+        if (const auto fault = fault_of_field(scene, "field", *field); !fault.empty())
+            reader.error("field", fault);
         view.field = *field;
     }
     if (const auto range = reader.numbers("range", 2)) {
@@ -27,6 +28,12 @@ void read_colouring(TableReader& reader, const Scene& scene, ViewOptions& view) 
         check_word(reader, "colour_map", "colour map", *map, colour_map_names());
         view.colour_map = *map;
     }
+}
+
+bool is_history_figure(const Scene& scene, const std::string& name) {
+    return std::any_of(scene.figures.begin(), scene.figures.end(), [&](const FigureSpec& figure) {
+        return figure.kind == FigureKind::history && figure.name == name;
+    });
 }
 
 void read_arrows(TableReader& reader, ViewOptions& view) {
@@ -84,7 +91,8 @@ void read_view(TableReader& root, Scene& scene) {
     if (const auto charts = reader->texts("charts")) {
         view.charts = *charts;
         for (const auto& chart : view.charts)
-            if (chart != "force" && chart != "velocity" && chart != "energy")
+            if (chart != "force" && chart != "velocity" && chart != "energy" &&
+                !is_history_figure(scene, chart))
                 check_column(*reader, "charts", scene, chart);
     }
     view.frames_per_second = reader->number("frames_per_second", {.low = 0, .high = 240, .low_open = true})

@@ -15,7 +15,9 @@ void read_walls(TableReader& root, Scene& scene);      ///< [[wall]]
 void read_contacts(TableReader& root, Scene& scene);   ///< [[contact]]
 void read_probes(TableReader& root, Scene& scene);     ///< [[probe]]
 void read_recording(TableReader& root, Scene& scene);  ///< [record]
+void read_figures(TableReader& root, Scene& scene);    ///< [[figure]]
 void read_view(TableReader& root, Scene& scene);       ///< [view]
+void read_analysis(TableReader& root, Scene& scene);   ///< [analysis]
 void read_promises(TableReader& root, Scene& scene);   ///< [[exact]], [expect]
 
 // Part of [[material]].

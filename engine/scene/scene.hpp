@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "scene/figure_spec.hpp"
 #include "scene/formula.hpp"
 #include "scene/place.hpp"
 #include "units.hpp"
@@ -284,6 +285,8 @@ struct Scene {
     std::vector<Probe> probes;
     Recording record;
     ViewOptions view;
+    std::vector<FigureSpec> figures;
+    Analysis analysis;
     std::vector<ExactHistory> exact;
     std::vector<Expectation> expect;
 

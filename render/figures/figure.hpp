@@ -15,6 +15,8 @@ struct Curve {
     std::string label;  ///< legend text; "" keeps it out of the legend
     std::vector<double> x, y;
     bool exact = false;  ///< drawn as a reference: dashed, dark grey
+    bool dashed = false;
+    std::optional<std::size_t> colour{};  ///< index into the palette; absent: its place among those not exact
 };
 
 /// One chart: axes with title and unit, curves, legend.

@@ -91,6 +91,12 @@ std::vector<Polyline2> dashes(const Polyline2& line, double x_scale, double y_sc
     return result;
 }
 
+/// @param drawn curves so far that take their colour from their place
+Colour colour_of(const Curve& curve, std::size_t& drawn) {
+    if (curve.exact) return exact_colour;
+    return curve_colour(curve.colour ? *curve.colour : drawn++);
+}
+
 }  // namespace
 
 Colour curve_colour(std::size_t index) {
@@ -174,7 +180,7 @@ void Plot::set_legend(const std::vector<Curve>& curves) {
     int row = 0;
     std::size_t drawn = 0;
     for (const Curve& curve : curves) {
-        const Colour colour = curve.exact ? exact_colour : curve_colour(drawn++);
+        const Colour colour = colour_of(curve, drawn);
         if (curve.label.empty()) continue;
         // The text cannot be measured before it is painted; 8 pixels a letter is a wide estimate at this
         // size.
@@ -183,7 +189,7 @@ void Plot::set_legend(const std::vector<Curve>& curves) {
             x = 0;
             ++row;
         }
-        entries_.push_back({curve.label, colour, curve.exact, x, row});
+        entries_.push_back({curve.label, colour, curve.exact || curve.dashed, x, row});
         x += width;
     }
 }
@@ -206,7 +212,7 @@ void Plot::show(const Chart& chart, const Rect& rect, double scale, std::optiona
     // them.
     x_title_ = chart.x_title;
     y_title_ = chart.y_title;
-    const double left = y_title_.empty() ? 0 : 22 * scale, below = x_title_.empty() ? 0 : 17 * scale;
+    const double left = y_title_.empty() ? 0 : 22 * scale, below = x_title_.empty() ? 0 : 21 * scale;
     chart_->SetSize(vtkRectf(static_cast<float>(rect.x + left), static_cast<float>(rect.y + below),
                              static_cast<float>(rect.width - left),
                              static_cast<float>(std::max(rect.height - heading - below, 10.0))));
@@ -218,9 +224,9 @@ void Plot::show(const Chart& chart, const Rect& rect, double scale, std::optiona
     if (marker) add_line({{*marker, *marker}, {y[0], y[1]}}, 0x9aa3ad, 1);
     std::size_t drawn = 0;
     for (const Curve& curve : chart.curves) {
-        const Colour colour = curve.exact ? exact_colour : curve_colour(drawn++);
+        const Colour colour = colour_of(curve, drawn);
         const Polyline2 line = thin(curve.x, curve.y, x[0], x[1], std::max(1, static_cast<int>(width)));
-        if (!curve.exact) {
+        if (!curve.exact && !curve.dashed) {
             add_curve(line, colour, 1.6 * scale);
             continue;
         }
@@ -246,7 +252,7 @@ void Plot::paint_heading(Canvas& canvas) const {
     for (const Entry& entry : entries_) {
         const double x = rect_.x + entry.x, middle = y - (10 + 20 * entry.row) * scale_;
         const double sample = 20 * scale_;
-        if (entry.exact) {
+        if (entry.dashed) {
             canvas.line(x, middle, x + 0.4 * sample, middle, entry.colour, 2 * scale_);
             canvas.line(x + 0.6 * sample, middle, x + sample, middle, entry.colour, 2 * scale_);
         } else {

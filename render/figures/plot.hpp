@@ -32,7 +32,7 @@ class Plot {
     struct Entry {
         std::string label;
         Colour colour;
-        bool exact;
+        bool dashed;
         double x = 0;  // offset from the left, pixels
         int row = 0;
     };

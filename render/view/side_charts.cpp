@@ -9,6 +9,7 @@
 
 #include "nearest_name.hpp"
 #include "run/fields.hpp"
+#include "run/series.hpp"
 
 namespace percuss::render {
 
@@ -18,6 +19,20 @@ struct ChartCurve {
     std::vector<std::string> columns;  ///< summed
     std::string label;
 };
+
+const FigureSpec* history_figure(const Scene& scene, const std::string& name) {
+    const auto found = std::find_if(
+        scene.figures.begin(), scene.figures.end(),
+        [&](const FigureSpec& figure) { return figure.kind == FigureKind::history && figure.name == name; });
+    return found == scene.figures.end() ? nullptr : &*found;
+}
+
+std::vector<ChartCurve> curves_of(const FigureSpec& figure) {
+    std::vector<ChartCurve> curves;
+    for (std::size_t k = 0; k < figure.columns.size(); ++k)
+        curves.push_back({{figure.columns[k]}, figure.labels.empty() ? figure.columns[k] : figure.labels[k]});
+    return curves;
+}
 
 /// Columns of one vector quantity for all `owners`; each direction named when more than one is worth drawing.
 std::vector<ChartCurve> vector_curves(const Scene& scene, const std::vector<std::string>& owners,
@@ -61,7 +76,11 @@ Chart make_side_chart(const std::string& name, const Scene& scene, const History
     std::vector<std::string> owners;
     std::vector<ChartCurve> wanted;
     std::string title = name;
-    if (name == "force") {
+    const FigureSpec* figure = history_figure(scene, name);
+    if (figure) {
+        wanted = curves_of(*figure);
+        title = figure->value_title.empty() ? figure->title : figure->value_title;
+    } else if (name == "force") {
         for (const ContactPair& pair : scene.contacts) owners.push_back(pair.name);
         wanted = vector_curves(scene, owners, "contact.{}.{}", history);
         title = "contact force";
@@ -99,6 +118,10 @@ Chart make_side_chart(const std::string& name, const Scene& scene, const History
             const std::vector<double> part = history.values(index, 0, times.size());
             std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), std::plus<>());
         }
+        if (figure) {
+            sum = moving_average(times, sum, figure->window);
+            for (double& value : sum) value *= figure->factor;
+        }
         for (const double value : sum)
             if (std::isfinite(value)) {
                 low = std::min(low, value);
@@ -116,6 +139,8 @@ Chart make_side_chart(const std::string& name, const Scene& scene, const History
     const double span = high > low ? unit.scale * (high - low) : 1;
     chart.y_range = {low < 0 ? unit.scale * low - 0.08 * span : -0.03 * span,
                      high > 0 ? unit.scale * high + 0.08 * span : 0.03 * span};
+    if (figure && figure->range)
+        chart.y_range = {unit.scale * (*figure->range)[0], unit.scale * (*figure->range)[1]};
     chart.x_range = {0, std::max(time_unit.scale * end_of_run(scene, times), 1e-300)};
     chart.title = unit.label.empty() ? title : fmt::format("{} [{}]", title, unit.label);
     chart.x_title = fmt::format("time [{}]", time_unit.label);

@@ -176,4 +176,10 @@ void Surface::set_edges(bool shown, double opacity) {
     }
 }
 
+void Surface::set_line_widths(double edges, double outlines) {
+    for (const auto& actor : line_actors_) actor->GetProperty()->SetLineWidth(static_cast<float>(edges));
+    for (const auto& actor : outline_actors_)
+        actor->GetProperty()->SetLineWidth(static_cast<float>(outlines));
+}
+
 }  // namespace percuss::render

@@ -33,6 +33,7 @@ class Surface {
     /// @param opacity 0 to 1: dense meshes need faint edges. The outlines of the bodies are drawn in any
     /// case.
     void set_edges(bool shown, double opacity);
+    void set_line_widths(double edges, double outlines);  ///< pixels
 
   private:
     void add_actors(vtkPolyDataMapper* mapper, std::vector<vtkSmartPointer<vtkActor>>& actors);

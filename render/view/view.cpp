@@ -24,6 +24,7 @@
 #include "view/motion_labels.hpp"
 #include "view/side_charts.hpp"
 #include "view/surface.hpp"
+#include "view/walls.hpp"
 
 namespace percuss::render {
 
@@ -215,6 +216,7 @@ Image View::Impl::draw(const Snapshot& snapshot, const History* history) {
 }
 
 void View::Impl::paint_ground(Canvas& canvas) const {
+    paint_walls(canvas, setup->scene.walls, plane, fit, layout.model, layout.scale);
     if (setup->scene.geometry != Geometry::axisymmetric) return;
     const Rect& rect = layout.model;
     const std::size_t across = plane.mirror_axis();

@@ -1,4 +1,4 @@
-#include "run_figure.hpp"
+#include "figures/run_figure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "record/run_file.hpp"
 #include "record/summary.hpp"
 #include "report.hpp"
+#include "scene/parse.hpp"
 
 namespace percuss::app {
 namespace {
@@ -115,12 +116,31 @@ std::string chart_title(const RecordedRun& run, const std::string& column) {
 
 }  // namespace
 
-RecordedRun load_recorded_run(const std::filesystem::path& run_file) {
-    const RunFile file(run_file);
-    RecordedRun run{step_label(file.setup()->scene), file.setup(), file.history(), {}};
-    const std::string summary = file.summary();
+RecordedRun load_recorded_run(const std::filesystem::path& run_file,
+                              const std::vector<std::string>& overrides) {
+    auto file = std::make_shared<const RunFile>(run_file);
+    auto setup = file->setup();
+    if (!overrides.empty()) {
+        auto changed = std::make_shared<RunSetup>(*setup);
+        std::vector<std::string> all = setup->scene.overrides;
+        all.insert(all.end(), overrides.begin(), overrides.end());
+        changed->scene = parse_scene(setup->scene.text, setup->scene.file, all);
+        setup = std::move(changed);
+    }
+    RecordedRun run{step_label(setup->scene), setup, file->history(), {}, file, file->traces()};
+    const std::string summary = file->summary();
     if (!summary.empty()) run.summary = nlohmann::ordered_json::parse(summary);
     return run;
+}
+
+const Trace& trace_of(const RecordedRun& run, const std::string& figure) {
+    for (const Trace& trace : run.traces) {
+        if (trace.name != figure) continue;
+        if (trace.rows->rows() == 0)
+            throw UsageError(fmt::format("figure '{}': the run recorded no row for it", figure));
+        return trace;
+    }
+    throw UsageError(fmt::format("figure '{}' needs what a run records for it; run the scene again", figure));
 }
 
 std::string step_label(const Scene& scene) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "figures/figure.hpp"
+#include "record/run_file.hpp"
 #include "run/history.hpp"
 #include "run/snapshot.hpp"
 
@@ -19,8 +20,15 @@ struct RecordedRun {
     std::shared_ptr<const RunSetup> setup;
     std::shared_ptr<const History> history;
     nlohmann::ordered_json summary;  ///< empty when the run did not finish
+    std::shared_ptr<const RunFile> file;
+    std::vector<Trace> traces;
 };
-[[nodiscard]] RecordedRun load_recorded_run(const std::filesystem::path& run_file);
+/// @param overrides set before the recorded scene is read again: other titles, ranges, times of its figures.
+[[nodiscard]] RecordedRun load_recorded_run(const std::filesystem::path& run_file,
+                                            const std::vector<std::string>& overrides = {});
+
+/// What a figure sampled during the run. @throws UsageError when the run has no such trace.
+[[nodiscard]] const Trace& trace_of(const RecordedRun& run, const std::string& figure);
 
 /// "Δt = 200 ns", "Δt = 0.9 of critical", with ", lagged" where stresses are taken at uncorrected positions.
 [[nodiscard]] std::string step_label(const Scene& scene);
