@@ -25,7 +25,9 @@ Handle open_file(const std::filesystem::path& file) {
     const hid_t plain = H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id());
     if (plain >= 0) return {plain, "open"};
     // A run that still goes on, or was killed, left its mark "being written"; its data are consistent all the
-    // same.
+    // same. Metadata amid a write are read again after a pause that doubles each time: here up to half a
+    // second in all, where by default a damaged file would hang its reader for hours.
+    hdf5::check(H5Pset_metadata_read_attempts(access.id(), 28), "read attempts");
     return {H5Fopen(file.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.id()), "cannot be opened"};
 }
 

@@ -39,7 +39,12 @@ Handle create_file(const std::filesystem::path& file) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), "file access");
     hdf5::check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110), "file format");
     hdf5::check(H5Pset_file_locking(access.id(), true, true), "file locking");
-    return {H5Fcreate(file.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, access.id()),
+    // Metadata kept within pages of the system: a kill takes effect between pages, so that it cannot tear the
+    // header of a dataset, without which all its frames would be lost.
+    const Handle creation(H5Pcreate(H5P_FILE_CREATE), "file creation");
+    hdf5::check(H5Pset_file_space_strategy(creation.id(), H5F_FSPACE_STRATEGY_PAGE, false, 1), "file space");
+    hdf5::check(H5Pset_file_space_page_size(creation.id(), 4096), "page size");
+    return {H5Fcreate(file.c_str(), H5F_ACC_EXCL, creation.id(), access.id()),
             fmt::format("{}: cannot be made", file.string())};
 }
 
