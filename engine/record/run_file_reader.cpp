@@ -20,6 +20,9 @@ using hdf5::Rows;
 Handle open_file(const std::filesystem::path& file) {
     hdf5::silence_errors();
     if (!std::filesystem::exists(file)) throw RecordError("no such file");
+    // Its writer is about to lock it, and must find it free.
+    std::error_code not_a_file;
+    if (std::filesystem::file_size(file, not_a_file) == 0) throw RecordError("the file is empty");
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), "file access");
     hdf5::check(H5Pset_file_locking(access.id(), true, true), "file locking");
     const hid_t plain = H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id());
