@@ -8,17 +8,12 @@
 #include <fmt/format.h>
 
 #include "dynamics/double2.hpp"
+#include "history_columns.hpp"
 #include "run/phase_timer.hpp"
 #include "solver.hpp"
 
 namespace percuss {
 namespace {
-
-bool is_prescribed(const Body& body, std::size_t direction) {
-    return std::any_of(body.prescribed.begin(), body.prescribed.end(), [&](const PrescribedVelocity& p) {
-        return (p.direction == Direction::first ? 0U : 1U) == direction;
-    });
-}
 
 std::pair<std::size_t, std::size_t> share_of(std::size_t count, int part, int parts) {
     const auto p = static_cast<std::size_t>(part), n = static_cast<std::size_t>(parts);
@@ -528,37 +523,6 @@ std::string Solver::locate_most_energy() const {
         }
     }
     return name;
-}
-
-std::vector<HistoryColumn> Solver::history_columns(const Scene& scene) {
-    const auto direction = direction_names(scene.geometry);
-    // The axis of an axisymmetric scene is its main direction, so it is named first.
-    const std::array<std::size_t, 2> order = scene.geometry == Geometry::axisymmetric
-                                                 ? std::array<std::size_t, 2>{1, 0}
-                                                 : std::array<std::size_t, 2>{0, 1};
-    std::vector<HistoryColumn> columns{{"time", Quantity::time}};
-    for (const ContactPair& pair : scene.contacts) {
-        for (const std::size_t d : order)
-            columns.push_back({"contact." + pair.name + "." + direction[d], Quantity::force});
-        columns.push_back({"contact." + pair.name + ".active", Quantity::dimensionless});
-        columns.push_back({"contact." + pair.name + ".penetration", Quantity::length});
-    }
-    for (const Body& body : scene.bodies)
-        for (const std::size_t d : order)
-            columns.push_back({"body." + body.name + ".velocity." + direction[d], Quantity::velocity});
-    for (const Body& body : scene.bodies)
-        for (const std::size_t d : order)
-            if (is_prescribed(body, d))
-                columns.push_back({"body." + body.name + ".drive." + direction[d], Quantity::force});
-    for (const char* energy :
-         {"kinetic", "internal", "hourglass", "viscous", "plastic", "contact", "external", "balance"})
-        columns.push_back({std::string("energy.") + energy, Quantity::energy});
-    columns.push_back({"step.dt", Quantity::time});
-    columns.push_back({"step.critical", Quantity::time});
-    for (const Probe& probe : scene.probes)
-        for (const std::string& quantity : probe.record)
-            columns.push_back({"probe." + probe.name + "." + quantity, find_field(scene, quantity).quantity});
-    return columns;
 }
 
 void Solver::fill_history_row() {
