@@ -10,6 +10,7 @@
 
 #include "mesh/build.hpp"
 #include "run/fields.hpp"
+#include "run/history_columns.hpp"
 #include "run/state_hash.hpp"
 #include "scene/parse.hpp"
 

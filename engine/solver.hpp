@@ -62,8 +62,7 @@ class Solver {
     /// @param complete false leaves out what needs a pass over all elements: state hash, strain energy check.
     [[nodiscard]] RunStatistics statistics(bool complete = true) const;
 
-    [[nodiscard]] static std::vector<HistoryColumn> history_columns(const Scene& scene);
-    /// Numbers of the last step in the order of history_columns.
+    /// Numbers of the last step in the order of history_columns (run/history_columns.hpp).
     [[nodiscard]] std::span<const double> history_row() const { return row_; }
 
     [[nodiscard]] SolverState save() const;

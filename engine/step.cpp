@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "dynamics/double2.hpp"
-#include "history_columns.hpp"
+#include "run/history_columns.hpp"
 #include "run/phase_timer.hpp"
 #include "solver.hpp"
 

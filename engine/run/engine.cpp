@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "run/history_columns.hpp"
 #include "scene/parse.hpp"
 #include "solver.hpp"
 
@@ -68,7 +69,7 @@ struct Engine::Impl {
     std::thread thread;
 
     void begin_run() {
-        recording = std::make_shared<History>(Solver::history_columns(solver->setup()->scene));
+        recording = std::make_shared<History>(history_columns(solver->setup()->scene));
         tracing = std::make_unique<TraceRecorder>(*solver->setup());
         frames = 0;
         next_safe_state = 0;

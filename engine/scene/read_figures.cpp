@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "run/fields.hpp"
+#include "run/history_columns.hpp"
 #include "scene/readers.hpp"
-#include "solver.hpp"
 
 namespace percuss {
 namespace {
@@ -20,7 +20,7 @@ void check_name(TableReader& reader, std::string_view key, std::string_view noun
 /// All columns that the histories of the scene have; empty when a probe is faulty, which is told already.
 std::vector<HistoryColumn> columns_of(const Scene& scene) {
     try {
-        return Solver::history_columns(scene);
+        return history_columns(scene);
     } catch (const std::invalid_argument&) {
         return {};
     }

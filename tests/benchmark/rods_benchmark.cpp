@@ -2,6 +2,7 @@
 
 #include "rods.hpp"
 #include "run/history.hpp"
+#include "run/history_columns.hpp"
 #include "solver.hpp"
 
 namespace percuss::benchmarks {
@@ -14,7 +15,7 @@ void whole_rods(benchmark::State& state) {
     for (auto _ : state) {
         state.PauseTiming();
         Solver solver(scene, 1);
-        History history(Solver::history_columns(scene));
+        History history(history_columns(scene));
         state.ResumeTiming();
         while (!solver.finished()) {
             if (solver.step()) state.SkipWithError("the run diverged");

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "run/force_error.hpp"
+#include "run/history_columns.hpp"
 #include "scene/parse.hpp"
 #include "solver.hpp"
 
@@ -19,7 +20,7 @@ struct RecordedRun {
     History history;
 
     explicit RecordedRun(const Scene& scene, int threads = 1)
-        : solver(scene, threads), history(Solver::history_columns(scene)) {}
+        : solver(scene, threads), history(history_columns(scene)) {}
 
     /// One step, recorded. @throws std::runtime_error when the run diverges, which fails the test.
     void step() {

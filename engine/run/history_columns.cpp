@@ -1,10 +1,9 @@
-#include "history_columns.hpp"
+#include "run/history_columns.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "run/fields.hpp"
-#include "solver.hpp"
 
 namespace percuss {
 
@@ -14,8 +13,7 @@ bool is_prescribed(const Body& body, std::size_t direction) {
     });
 }
 
-// In a file of its own: those who check the names of columns need nothing else of the solver.
-std::vector<HistoryColumn> Solver::history_columns(const Scene& scene) {
+std::vector<HistoryColumn> history_columns(const Scene& scene) {
     const auto direction = direction_names(scene.geometry);
     // The axis of an axisymmetric scene is its main direction, so it is named first.
     const std::array<std::size_t, 2> order = scene.geometry == Geometry::axisymmetric
