@@ -5,22 +5,13 @@
 #include <limits>
 #include <utility>
 
+#include "contact/tolerances.hpp"
 #include "dynamics/double2.hpp"
 
 namespace percuss {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A node beyond the end of a face by up to this part of a side still belongs to it: flush faces spread
-/// sideways.
-constexpr double end_tolerance = 0.02;
-/// A node that appears inside, deeper than this part of the side and than it can have moved, did not come
-/// through the side: it lies beyond a thin body, or slid under an open end. To throw it out would make energy
-/// from nothing.
-constexpr double entry_tolerance = 1e-3;
-/// A node in contact is let go when it is deeper than this part of the side: forces could not hold it.
-constexpr double depth_limit = 0.5;
 
 struct Range {
     Double2 lowest{infinity, infinity}, highest{-infinity, -infinity};

@@ -5,21 +5,14 @@
 #include <limits>
 #include <utility>
 
+#include "contact/tolerances.hpp"
+
 namespace percuss {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Lengths as parts of a mean side.
-/// A node beyond an open end or a sharp corner by up to this still belongs to the face: flush faces spread
-/// sideways.
-constexpr double end_tolerance = 0.02;
-/// A node that appears deeper than this and than a step's motion did not come through the side: it lies
-/// beyond a thin body, or slid under an open end. To throw it out would make energy from nothing.
-constexpr double entry_tolerance = 1e-3;
-/// A node in contact is let go when it is deeper than this: forces could not hold it.
-constexpr double depth_limit = 0.5;
-/// Nodes nearer than this stay awake.
+/// Nodes nearer than this part of a mean side stay awake.
 constexpr double awake_within = 0.02;
 
 std::array<double, 2> at_start(const Node* nodes, std::int32_t node, double dt) {
