@@ -1,9 +1,10 @@
 #include "record/summary_history.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
+
+#include "run/series.hpp"
 
 namespace percuss {
 namespace {
@@ -42,10 +43,8 @@ Json contact_history(const History& history, const std::string& pair,
     for (const std::string& direction : directions) {
         const auto force = column(history, name + direction, rows);
         if (!force) continue;
-        const auto peak = std::max_element(force->begin(), force->end(),
-                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
-        result["peak"][direction] = {{"value", *peak},
-                                     {"time", (*time)[static_cast<std::size_t>(peak - force->begin())]}};
+        const std::size_t peak = largest_magnitude(*force);
+        result["peak"][direction] = {{"value", (*force)[peak]}, {"time", (*time)[peak]}};
     }
     if (const auto active = column(history, name + "active", rows)) {
         const auto touches = [](double count) { return count > 0; };
