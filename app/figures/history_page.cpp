@@ -11,12 +11,6 @@
 namespace percuss::app {
 namespace {
 
-const ExactHistory* exact_of(const Scene& scene, const std::string& column) {
-    const auto found = std::find_if(scene.exact.begin(), scene.exact.end(),
-                                    [&](const ExactHistory& exact) { return exact.quantity == column; });
-    return found == scene.exact.end() ? nullptr : &*found;
-}
-
 double largest(const std::vector<double>& values) {
     double most = 0;
     for (const double value : values)

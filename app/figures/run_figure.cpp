@@ -13,13 +13,14 @@
 #include "scene/parse.hpp"
 
 namespace percuss::app {
-namespace {
 
 const ExactHistory* exact_of(const Scene& scene, const std::string& column) {
     const auto found = std::find_if(scene.exact.begin(), scene.exact.end(),
                                     [&](const ExactHistory& exact) { return exact.quantity == column; });
     return found == scene.exact.end() ? nullptr : &*found;
 }
+
+namespace {
 
 std::size_t column_index(const RecordedRun& run, const std::string& column) {
     try {

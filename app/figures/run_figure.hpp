@@ -36,6 +36,9 @@ struct RecordedRun {
 /// "contact.impact.axial" -> "contact force of impact, axial"; names that follow no pattern stay as they are.
 [[nodiscard]] std::string column_title(const std::string& column);
 
+/// The exact answer that the scene declares for a history column; null when it declares none.
+[[nodiscard]] const ExactHistory* exact_of(const Scene& scene, const std::string& column);
+
 struct FigureLayout {
     std::vector<std::string> columns;  ///< history columns
     bool together = false;             ///< all runs in one chart per column, else a chart a run
