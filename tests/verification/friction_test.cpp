@@ -263,6 +263,27 @@ TEST(Friction, LedgerClosesWithManyRoughPairs) {
                     1e-12 * (s.momentum_scale + s.external_impulse_gross));
 }
 
+// What a picture shows: the force on each node of either side, friction and contact together.
+TEST(Friction, ForcesOnNodesAddUpToThePairs) {
+    Solver solver(sliding_block(0.3, 0.15, 1));
+    for (int k = 0; k < 300; ++k) ASSERT_FALSE(solver.step());
+    const auto snapshot = solver.snapshot();
+    std::array<double, 2> sum{0, 0};
+    std::vector<std::int32_t> nodes;
+    for (const ContactForce& force : snapshot->contact_forces) {
+        ASSERT_TRUE(force.master) << "the floor has no nodes";
+        nodes.push_back(force.node);
+        for (std::size_t d = 0; d < 2; ++d) sum[d] += force.force[d];
+        EXPECT_NEAR(force.force[0], -0.3 * force.force[1], 1e-12 * (force.force[1] + 1));
+    }
+    EXPECT_EQ(std::adjacent_find(nodes.begin(), nodes.end(), std::greater_equal<>{}), nodes.end())
+        << "each node once";
+    ASSERT_GT(sum[1], 0);
+    const PairState& pair = snapshot->pairs[0];
+    for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(sum[d], pair.force[d], 1e-12 * sum[1]);
+    EXPECT_NEAR(pair.force[0], pair.friction[0], 1e-15) << "the floor is level";
+}
+
 TEST(Friction, StateGoesOnAsIfNeverInterrupted) {
     Solver solver(sliding_block(0.3, 0.02, 0.1));
     for (int k = 0; k < 300; ++k) ASSERT_FALSE(solver.step());
