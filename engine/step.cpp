@@ -145,7 +145,7 @@ void Solver::start_half_step_early() {
     if (loads_.none()) return;
     Ledger& ledger = state_.ledger;
     ledger.initial_kinetic = 0;
-    for (std::size_t n = 0; n < mass_.size(); ++n) {
+    for (std::size_t n = 0; n < body_of_node_.size(); ++n) {  // not the nodes of walls
         for (std::size_t d = 0; d < 2; ++d) {
             double& v = state_.nodes[n].v[d];
             const double change = -0.5 * kick_ * inverse_mass_[2 * n + d] * external_[2 * n + d];
