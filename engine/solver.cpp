@@ -48,6 +48,8 @@ Solver::Solver(Scene scene, int threads)
     scale_ = s.geometry == Geometry::axisymmetric ? 2 * std::numbers::pi : s.thickness;
     for (std::size_t body = 0; body < s.bodies.size(); ++body)
         batches_.push_back(make_batch(s, setup_->mesh, static_cast<std::int32_t>(body), imposed_.held));
+    averages_volumes_ = std::any_of(batches_.begin(), batches_.end(),
+                                    [](const Batch& batch) { return batch.kernel.volumes != nullptr; });
     build_nodes();
     build_chunks();
     contact_ = make_contact_method(s, setup_->mesh);
@@ -388,6 +390,7 @@ void Solver::restore(const SolverState& state) {
     state_.corner_force.clear();
     state_.active.clear();
     if (contact_) contact_->restart(state.active);
+    average_nodal_volumes(setup_->scene.lagged ? state_.lagged_nodes.data() : state_.nodes.data());
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
         pair.state = {};

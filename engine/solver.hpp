@@ -112,6 +112,7 @@ class Solver {
     void impose_velocities(NodeSums& sums);
     void stresses_at_predicted_positions();
     void integrate_elements(const Node* nodes);
+    void average_nodal_volumes(const Node* nodes);
     void evaluate_critical_step();
     void start_half_step_early();
     void account_external_impulse();
@@ -177,6 +178,7 @@ class Solver {
     std::vector<double> row_;
     RunStatistics statistics_;
     double kick_ = 0;
+    bool averages_volumes_ = false;  // there are averaged triangles
 };
 
 }  // namespace percuss

@@ -83,6 +83,7 @@ std::optional<Divergence> Solver::choose_step() {
 
 void Solver::evaluate_critical_step() {
     const Node* nodes = state_.nodes.data();
+    average_nodal_volumes(nodes);
     std::fill(highest_.begin(), highest_.end(), 0.0);
     team_.run([&](int part) {
         const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
@@ -484,7 +485,29 @@ std::optional<Divergence> Solver::internal_forces() {
     return std::nullopt;
 }
 
+/// Averaged triangles: volumes of the elements, then of the nodes, before any of their forces.
+void Solver::average_nodal_volumes(const Node* nodes) {
+    if (!averages_volumes_) return;
+    team_.run([&](int part) {
+        const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
+        for (std::size_t k = begin; k < end; ++k) {
+            const ElementChunk& chunk = element_chunks_[k];
+            Batch& batch = batches_[static_cast<std::size_t>(chunk.batch)];
+            if (batch.kernel.volumes) batch.kernel.volumes(batch, nodes, chunk.begin, chunk.end);
+        }
+    });
+    team_.run([&](int part) {
+        const auto [begin, end] = share_of(node_chunks_.size(), part, team_.size());
+        for (std::size_t k = begin; k < end; ++k) {
+            const NodeChunk& chunk = node_chunks_[k];
+            Batch& batch = batches_[static_cast<std::size_t>(chunk.body)];
+            if (batch.kernel.volumes) sum_nodal_volumes(batch, chunk.begin, chunk.end);
+        }
+    });
+}
+
 void Solver::integrate_elements(const Node* nodes) {
+    average_nodal_volumes(nodes);
     team_.run([&](int part) {
         const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
         for (std::size_t k = begin; k < end; ++k) {
