@@ -27,6 +27,10 @@ class JointContact final : public ContactMethod {
         return pairs_[pair].search.deepest();
     }
     [[nodiscard]] int negative_forces(std::size_t) const override { return 0; }
+    [[nodiscard]] std::unique_ptr<ContactMethod> copy() const override {
+        return std::make_unique<JointContact>(*this);
+    }
+    void become(const ContactMethod& other) override { *this = dynamic_cast<const JointContact&>(other); }
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
 
   private:
