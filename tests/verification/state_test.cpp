@@ -1,56 +1,10 @@
 // A saved state goes on as the run that was never interrupted, bit by bit, whatever the scene asks for.
 #include <algorithm>
-#include <functional>
-#include <ostream>
 
-#include "verification/run.hpp"
+#include "verification/kinds.hpp"
 
 namespace percuss::testing {
 namespace {
-
-/// Two blocks, one driven into the other for a while, then let go.
-Scene driven_for_a_while() {
-    return scene_of(
-        scene_head("plane strain", 0.04, 0.3) +
-        box_body("ram", {0, 4, 6, 8}, {6, 4}, "",
-                 "[[body.prescribed]]\nedge = \"top\"\ndirection = \"y\"\nvelocity = [[0, 0], [0.004, -20]]\n"
-                 "from = 0.002\nuntil = 0.008\n") +
-        box_body("block", {1, 0, 7, 4}, {5, 4}) + contact_pair("push", "ram.bottom", "block.top"));
-}
-
-/// A corner that slides over a corner: which face holds a node depends on where it came from.
-Scene past_a_corner(const std::string& scheme) {
-    return scene_of(scene_head("plane strain", 0.1, 0.3) + "[contact_solver]\nscheme = \"" + scheme + "\"\n" +
-                    box_body("flyer", {-6, 0.01, 0.5, 4}, {13, 8}, "velocity = [30, -20]") +
-                    box_body("block", {0, -6, 8, 0}, {8, 6}, "velocity = [-5, 0]") +
-                    "[[contact]]\nname = \"hit\"\nmaster = \"flyer\"\nslave = \"block\"\n");
-}
-
-Scene nail(const std::string& scheme) {
-    return load_scene(PERCUSS_SOURCE_DIR "/scenes/nail.toml",
-                      {"parameters.mesh=0.5", "contact_solver.scheme=" + scheme});
-}
-
-struct Kind {
-    const char* name;
-    std::function<Scene()> scene;
-    std::int64_t steps = 600;  ///< at most
-};
-
-void PrintTo(const Kind& kind, std::ostream* to) { *to << kind.name; }
-
-const Kind kinds[] = {{"rods", [] { return rods(); }},
-                      {"rods_lagged",
-                       [] {
-                           return rods({"model.lagged=true", "model.energy_growth_limit=100"});
-                       }},
-                      {"rods_averaged", [] { return rods({"body.striker.element=mean-dilatation quad"}); }},
-                      {"corner_by_pairs", [] { return past_a_corner("projection"); }},
-                      {"corner_jointly", [] { return past_a_corner("joint"); }},
-                      {"nail_jointly", [] { return nail("joint"); }, 1500},
-                      {"nail_by_pairs", [] { return nail("projection"); }, 1500},
-                      {"taylor", [] { return load_scene(PERCUSS_SOURCE_DIR "/scenes/taylor.toml"); }},
-                      {"driven", [] { return driven_for_a_while(); }}};
 
 class SavedState : public ::testing::TestWithParam<Kind> {};
 
@@ -116,7 +70,7 @@ TEST_P(SavedState, ShowsWhatItShowedBefore) {
     EXPECT_EQ(again->energy.balance(), seen->energy.balance());
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SavedState, ::testing::ValuesIn(kinds),
+INSTANTIATE_TEST_SUITE_P(Scenes, SavedState, ::testing::ValuesIn(kinds_of_runs),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
 }  // namespace
