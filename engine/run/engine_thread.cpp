@@ -1,5 +1,6 @@
 #include "run/engine_thread.hpp"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -7,6 +8,8 @@ namespace percuss {
 namespace {
 
 constexpr double kept_frames_in_a_run = 500;
+/// A longer wait for a step's turn shows as a picture that stands still.
+constexpr std::chrono::milliseconds worth_a_snapshot{10};
 
 }  // namespace
 
@@ -123,10 +126,11 @@ void Engine::Impl::step_once() {
 
 bool Engine::Impl::is_due() {
     if (!paced) return true;
-    const auto until = pace.wait_until(solver().time(), Pace::Clock::now());
+    const auto now = Pace::Clock::now();
+    const auto until = pace.wait_until(solver().time(), now);
     if (!until) return true;
     // Whoever looks while nothing happens sees the present state.
-    if (published_step != solver().steps() && snapshot_wanted.exchange(false)) publish(false);
+    if (published_step != solver().steps() && *until - now > worth_a_snapshot) publish(false);
     std::unique_lock lock(mutex);
     work_came.wait_until(lock, *until, [this] { return !commands.empty(); });
     return false;

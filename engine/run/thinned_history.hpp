@@ -41,8 +41,8 @@ class ThinnedHistory {
         append({place - place % stride_, time, bytes, true, std::move(entry)}, dropped);
     }
 
-    /// Makes this the newest entry, whether one is due or not; if not, the next one displaces it. Entries that
-    /// are not earlier go.
+    /// Makes this the newest entry, whether one is due or not; if not, the next one displaces it. Entries
+    /// that are not earlier go.
     void set_newest(std::int64_t place, double time, std::shared_ptr<const Entry> entry, std::size_t bytes) {
         std::vector<Slot> dropped;  // freed without the lock
         const std::lock_guard lock(mutex_);

@@ -17,7 +17,9 @@ using FrameHistory = ThinnedHistory<Snapshot>;
 /// Where a run is between its start, at 0, and the last moment that it has reached.
 struct Timeline {
     double present = 0;  ///< [time]
-    double end = 0;      ///< >= present; of the histories and traces, too [time]
+    /// >= present. Histories and traces end with the step before it; those of a diverged run may hold the row
+    /// of the step that failed, too [time].
+    double end = 0;
     /// What going on from the present moment would drop, from .. to: set while the run is set back [time].
     std::optional<std::array<double, 2>> branch_drops;
     std::vector<double> kept_states;  ///< times that Seek reaches without stepping, ascending [time]

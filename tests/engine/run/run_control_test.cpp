@@ -87,8 +87,12 @@ TEST(RunSpeed, ASlowRunShowsItsLastStep) {
     Engine engine(small());
     engine.post(command::SetSpeed{1e-12});
     engine.post(command::Run{});
+    while (engine.progress().step < 1) std::this_thread::yield();
     const auto begin = Clock::now();
-    while (engine.snapshot()->step < 1) ASSERT_LT(seconds_since(begin), 5);
+    while (engine.snapshot()->step < 1) {
+        ASSERT_LT(seconds_since(begin), 5);
+        std::this_thread::yield();
+    }
 }
 
 TEST(RunSpeed, MustBePositive) {

@@ -163,6 +163,8 @@ TEST(TimeTravel, WhatCameAfterStaysReadableUntilTheRunGoesOn) {
     const auto history = engine.history();
     const auto rows_of_trace = engine.traces()[0].rows;
     const std::vector<double> before = all(*history), traced = all(*rows_of_trace);
+    const auto frames = engine.frames();
+    const std::vector<double> framed = frames->times();
     const double end = engine.snapshot()->time, time = history->values("time")[40];
     EXPECT_FALSE(engine.timeline().branch_drops);
     go(engine, command::Seek{time});
@@ -190,6 +192,7 @@ TEST(TimeTravel, WhatCameAfterStaysReadableUntilTheRunGoesOn) {
     go(engine, command::Steps{200});
     EXPECT_EQ(all(*history), before) << "those who hold it keep it";
     EXPECT_EQ(all(*rows_of_trace), traced);
+    EXPECT_EQ(frames->times(), framed);
 }
 
 TEST(TimeTravel, BackAtTheEndNothingIsDropped) {
@@ -365,6 +368,23 @@ TEST(TimeTravel, SeekingStopsARunAtOnceAndTheLastWishCounts) {
     EXPECT_GE(there->time, 0.001 * (1 - 1e-12));
     EXPECT_LT(there->time - there->dt, 0.001);
     EXPECT_EQ(engine.timeline().present, there->time);
+}
+
+TEST(TimeTravel, ASeekIsGivenUpForTheNextOne) {
+    EngineOptions options;
+    options.state_memory = 1;  // each goes all the way from the start
+    Engine engine(small({"model.duration=1000"}), options);
+    go(engine, command::Steps{8000});
+    const double end = engine.snapshot()->time;
+    const auto seconds = [&](int seeks) {
+        const auto begin = std::chrono::steady_clock::now();
+        for (int k = 0; k < seeks; ++k) engine.post(command::Seek{end * (0.9 - 0.001 * k)});
+        engine.wait();
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    const double one = seconds(1);
+    EXPECT_LT(seconds(60), 15 * one);
+    EXPECT_NEAR(engine.snapshot()->time, (0.9 - 0.001 * 59) * end, engine.snapshot()->dt);
 }
 
 // Scrubbing in a window while the engine goes on, back and forth; under ThreadSanitizer the absence of races.
