@@ -28,7 +28,7 @@ std::size_t memory_of(const KeptState& kept) {
                       bytes_of_each(s.element_state) + bytes_of_each(s.corner_force) +
                       bytes_of_each(s.active) + bytes(s.pairs) + bytes(s.statistics.pairs) +
                       bytes(ledger.body_momentum) + bytes(ledger.body_velocity) + bytes(ledger.pair_work) +
-                      bytes(ledger.body_works) + bytes(kept.record.traces);
+                      bytes(ledger.pair_friction_work) + bytes(ledger.body_works) + bytes(kept.record.traces);
     if (s.contact) sum += contact_bytes(s.nodes.size(), s.active.size());
     for (const TraceRecorder::Progress& trace : kept.record.traces) sum += bytes(trace.impulse);
     return sum;

@@ -26,9 +26,10 @@ inline Scene past_a_corner(const std::string& scheme) {
                     "[[contact]]\nname = \"hit\"\nmaster = \"flyer\"\nslave = \"block\"\n");
 }
 
-inline Scene nail(const std::string& scheme) {
-    return load_scene(PERCUSS_SOURCE_DIR "/scenes/nail.toml",
-                      {"parameters.mesh=0.5", "contact_solver.scheme=" + scheme});
+inline Scene nail(const std::string& scheme, const std::string& friction = "0") {
+    return load_scene(
+        PERCUSS_SOURCE_DIR "/scenes/nail.toml",
+        {"parameters.mesh=0.5", "contact_solver.scheme=" + scheme, "parameters.friction=" + friction});
 }
 
 /// One of each kind of run: what one may forget to save, another needs.
@@ -50,7 +51,9 @@ inline const Kind kinds_of_runs[] = {
     {"corner_by_pairs", [] { return past_a_corner("projection"); }},
     {"corner_jointly", [] { return past_a_corner("joint"); }},
     {"nail_jointly", [] { return nail("joint"); }, 1500},
+    {"nail_with_friction", [] { return nail("joint", "0.1"); }, 1500},
     {"nail_by_pairs", [] { return nail("projection"); }, 1500},
+    {"sliding_with_friction", [] { return load_scene(PERCUSS_SOURCE_DIR "/scenes/sliding_block.toml"); }},
     {"taylor", [] { return load_scene(PERCUSS_SOURCE_DIR "/scenes/taylor.toml"); }},
     {"driven", [] { return driven_for_a_while(); }}};
 

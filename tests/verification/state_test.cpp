@@ -37,6 +37,7 @@ TEST_P(SavedState, GoesOnBitByBit) {
         for (std::size_t p = 0; p < expected.pairs.size(); ++p) {
             EXPECT_EQ(parts.statistics().pairs[p].openings, expected.pairs[p].openings);
             EXPECT_EQ(parts.statistics().pairs[p].impulse, expected.pairs[p].impulse);
+            EXPECT_EQ(parts.statistics().pairs[p].friction_work, expected.pairs[p].friction_work);
         }
     }
 }

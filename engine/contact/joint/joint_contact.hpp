@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cassert>
+#include <typeinfo>
 #include <vector>
 
 #include "contact/contact_method.hpp"
@@ -28,6 +30,7 @@ class JointContact : public ContactMethod {
     }
     [[nodiscard]] int negative_forces(std::size_t) const override { return 0; }
     [[nodiscard]] std::unique_ptr<ContactMethod> copy() const override {
+        assert(typeid(*this) == typeid(JointContact));  // a kind of it that has no copy() would be cut short
         return std::make_unique<JointContact>(*this);
     }
     void become(const ContactMethod& other) override { *this = dynamic_cast<const JointContact&>(other); }
