@@ -28,6 +28,11 @@ struct SolverState {
     Ledger ledger;
     RunStatistics statistics;                       ///< filled by save()
     std::vector<std::vector<std::int32_t>> active;  ///< per pair: master nodes in contact; filled by save()
+    std::vector<PairState> pairs;                   ///< of the last step; filled by save()
+    /// What contact remembers between steps; filled by save(). Whoever changes positions resets it: restore()
+    /// then lets contact begin anew.
+    std::shared_ptr<const ContactMethod> contact;
+    StepSize step_size;  ///< the control in force; filled by save()
     double time = 0, dt = 0, critical_step = 0;
     std::int64_t step = 0, next_critical_step = 0;
 };
