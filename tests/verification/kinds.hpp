@@ -47,7 +47,8 @@ inline const Kind kinds_of_runs[] = {
      [] {
          return rods({"model.lagged=true", "model.energy_growth_limit=100"});
      }},
-    {"rods_averaged", [] { return rods({"body.striker.element=mean-dilatation quad"}); }},
+    {"rods_of_mean_dilatation", [] { return rods({"body.striker.element=mean-dilatation quad"}); }},
+    {"rods_of_averaged_triangles", [] { return rods({"body.striker.element=averaged triangle"}); }},
     {"corner_by_pairs", [] { return past_a_corner("projection"); }},
     {"corner_jointly", [] { return past_a_corner("joint"); }},
     {"nail_jointly", [] { return nail("joint"); }, 1500},
