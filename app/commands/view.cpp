@@ -56,9 +56,9 @@ void write_screenshot(Workbench& workbench, const render::Screen& screen) {
     try {
         write_whole(file,
                     [&](const std::filesystem::path& aside) { render::write_png(screen.grabbed(), aside); });
-        workbench.note = fmt::format("written: {}", file.string());
+        workbench.tell(fmt::format("written: {}", file.string()));
     } catch (const std::exception& error) {
-        workbench.note = error.what();
+        workbench.tell(error.what());
     }
 }
 

@@ -96,14 +96,18 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
         {"window.dark", "Dark", "", "Light letters on dark panels; the picture stays on white.",
          [](Workbench& w) { w.screen.set_dark(!w.screen.dark()); },
          [](const Workbench& w) { return w.screen.dark(); }},
-        {"window.larger", "Larger text", "Ctrl++", "", [](Workbench& w) { zoom_text(w, 1.25); }},
-        {"window.smaller", "Smaller text", "Ctrl+-", "", [](Workbench& w) { zoom_text(w, 0.8); }},
-        {"window.normal", "Normal text", "Ctrl+0", "", [](Workbench& w) { zoom_text(w, 0); }},
+        {"window.larger", "Larger text", "Ctrl++", "Letters and widgets a quarter larger.",
+         [](Workbench& w) { zoom_text(w, 1.25); }},
+        {"window.smaller", "Smaller text", "Ctrl+-", "Letters and widgets a fifth smaller.",
+         [](Workbench& w) { zoom_text(w, 0.8); }},
+        {"window.normal", "Normal text", "Ctrl+0", "Letters of 15 pixels.",
+         [](Workbench& w) { zoom_text(w, 0); }},
         {"window.screenshot", "Screenshot", "Ctrl+P", "Writes the window as it is to percuss-DATE-TIME.png.",
          [](Workbench& w) { w.screenshot = free_name(); }},
         {"help", "Help", "F1", "Shows this page.", [](Workbench& w) { w.help = !w.help; },
          [](const Workbench& w) { return w.help; }},
-        {"quit", "Quit", "Ctrl+Q", "", [](Workbench& w) { w.quit = true; }},
+        {"quit", "Quit", "Ctrl+Q", "Closes the window; nothing is saved.",
+         [](Workbench& w) { w.quit = true; }},
     };
     return table;
 }

@@ -37,7 +37,17 @@ void LiveRun::open(std::filesystem::path file, const std::vector<std::string>& o
     request({std::move(file), overrides, {}, false});
 }
 
-void LiveRun::reload() { request(present()); }
+void LiveRun::reload() {
+    if (refused_ && !building_)
+        request(Request(being_built_));
+    else
+        request(present());
+}
+
+void LiveRun::dismiss_messages() {
+    messages_.clear();
+    refused_ = false;
+}
 
 void LiveRun::set(const std::string& key, const std::string& value) {
     if (key.starts_with("model.step.") && engine_ && !building_) {
@@ -78,7 +88,7 @@ void LiveRun::request(Request wanted) {
 
 void LiveRun::begin(Request wanted) {
     being_built_ = std::move(wanted);
-    read_at_ = time_of(being_built_.file);
+    tried_at_ = time_of(being_built_.file);
     building_ = std::async(std::launch::async, [this, request = being_built_] { return build(request); });
 }
 
@@ -100,7 +110,9 @@ LiveRun::Built LiveRun::build(const Request& wanted) const {
 
 void LiveRun::take_over(Built built) {
     messages_ = std::move(built.messages);
-    if (!built.engine) return;
+    refused_ = built.engine == nullptr;
+    if (refused_) return;
+    read_at_ = tried_at_;
     retire(std::exchange(engine_, std::move(built.engine)));
     ++builds_;
     warnings_ = std::move(built.warnings);
@@ -179,10 +191,9 @@ double LiveRun::steps_per_second() const {
 }
 
 bool LiveRun::file_changed() const {
-    const std::filesystem::path& watched = building_ ? being_built_.file : file_;
-    if (watched.empty() || building_) return false;
-    const auto time = time_of(watched);
-    return time != std::filesystem::file_time_type{} && time != read_at_;
+    if (building_ || (file_.empty() && !refused_)) return false;
+    const auto time = time_of(refused_ ? being_built_.file : file_);
+    return time != std::filesystem::file_time_type{} && time != (refused_ ? tried_at_ : read_at_);
 }
 
 }  // namespace percuss::app

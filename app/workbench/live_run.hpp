@@ -29,7 +29,8 @@ class LiveRun {
 
     /// Begins to read a scene; the result is taken by update(). @param overrides "key=value", as --set.
     void open(std::filesystem::path file, const std::vector<std::string>& overrides = {});
-    void reload();  ///< the same file anew, with the values set here
+    /// The same file anew, with the values set here; after a refusal, what was refused.
+    void reload();
     /// Sets a value of the scene ("parameters.bore", "4.5"). The time step changes in flight; anything else
     /// builds a new run, which starts when the old one had. Calls during a build wait for it, the last one
     /// for each key counts.
@@ -62,8 +63,9 @@ class LiveRun {
     /// Why the last scene or value was refused, one line a fault; empty when it was not.
     [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-    void dismiss_messages() { messages_.clear(); }
-    /// Whether the scene's file has changed on disk since it was last read.
+    /// Forgets the refusal: reload() means the scene that is shown again.
+    void dismiss_messages();
+    /// Whether the file that reload() would read has changed on disk since it was last read.
     [[nodiscard]] bool file_changed() const;
     [[nodiscard]] int builds() const { return builds_; }  ///< engines taken over so far
 
@@ -97,7 +99,9 @@ class LiveRun {
     std::filesystem::path file_;
     std::vector<std::string> overrides_;           // of the command line
     std::map<std::string, std::string> settings_;  // made in the window
-    std::filesystem::file_time_type read_at_{};    // the file's time when it was last read
+    std::filesystem::file_time_type read_at_{};    // time of the file shown, when it was read
+    std::filesystem::file_time_type tried_at_{};   // likewise of the last file that was tried
+    bool refused_ = false;                         // the last request
     std::optional<std::future<Built>> building_;
     Request being_built_;
     std::optional<Request> next_;

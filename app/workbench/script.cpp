@@ -43,7 +43,8 @@ constexpr std::array verbs{
     Verb{"timeout", 1, 1, "timeout SECONDS", "of every wait from here on; 60 at the start"},
     Verb{"screenshot", 1, 1, "screenshot FILE.png", ""},
     Verb{"print", 1, 1, "print NAME", "a value of the workbench, on standard output"},
-    Verb{"widgets", 0, 0, "widgets", "prints the names of all widgets on the screen"},
+    Verb{"widgets", 0, 0, "widgets",
+         "prints all widgets on the screen: left, top, right, bottom [pixels], name"},
 };
 
 const Verb* find_verb(const std::string& name) {
@@ -286,7 +287,10 @@ bool ScriptPlayer::advance(const ScriptEvent& event, Workbench& workbench) {
         return true;
     }
     if (verb == "widgets") {
-        for (const std::string& name : workbench.names.all()) fmt::print("{}\n", name);
+        for (const std::string& name : workbench.names.all()) {
+            const auto [left, top, right, bottom] = *workbench.names.find(name);
+            fmt::print("widget {:.0f} {:.0f} {:.0f} {:.0f} {}\n", left, top, right, bottom, name);
+        }
         return true;
     }
     // The rest acts at once and is seen in the next frame.

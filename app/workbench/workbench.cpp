@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include <imgui.h>
 
@@ -33,10 +34,10 @@ void watch_file(Workbench& w) {
 }  // namespace
 
 void Workbench::frame() {
-    const auto start = std::chrono::steady_clock::now();
     names.begin_frame();
     for (const std::filesystem::path& file : screen.take_dropped_files()) open(file);
     watch_file(*this);
+    if (LiveRun::Clock::now() > note_until_) note_.clear();
     run.update();
     obey_keys(*this);
 
@@ -66,13 +67,16 @@ void Workbench::frame() {
     show_help(*this);
 
     ++frames;
-    frame_seconds.push_back(std::chrono::duration<float>(std::chrono::steady_clock::now() - start).count());
-    if (frame_seconds.size() > 120) frame_seconds.erase(frame_seconds.begin(), frame_seconds.begin() + 60);
 }
 
 bool Workbench::at_rest() const {
     return run.status() != RunStatus::running && !run.building() && !viewport.dirty &&
            viewport.drawn == run.snapshot();
+}
+
+void Workbench::tell(std::string words) {
+    note_ = std::move(words);
+    note_until_ = LiveRun::Clock::now() + std::chrono::seconds(5);
 }
 
 void Workbench::do_command(const std::string& name) {

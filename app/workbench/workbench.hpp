@@ -71,6 +71,9 @@ class Workbench {
 
     void open(const std::filesystem::path& file) { run.open(file); }
     void do_command(const std::string& name);
+    /// Shows a line for some seconds, e.g. where a screenshot went.
+    void tell(std::string words);
+    [[nodiscard]] const std::string& note() const { return note_; }
 
     LiveRun run;
     render::Screen& screen;
@@ -83,9 +86,11 @@ class Workbench {
     double until = 0;  ///< of "run until" [time]
     bool quit = false;
     std::optional<std::filesystem::path> screenshot;  ///< to be written after this frame
-    std::string note;  ///< what the last command has to say, e.g. where a screenshot went
     long long frames = 0;
-    std::vector<float> frame_seconds;  ///< of the last frames
+
+  private:
+    std::string note_;
+    LiveRun::Clock::time_point note_until_;
 };
 
 }  // namespace percuss::app

@@ -33,7 +33,7 @@ void show_menu(Workbench& workbench) {
     menu(workbench, "View", {"view.", "plots."});
     menu(workbench, "Window", {"panels.", "window."});
     menu(workbench, "Help", {"help"});
-    std::string right = workbench.note;
+    std::string right = workbench.note();
     if (right.empty() && workbench.run.snapshot()) {
         const Scene& scene = workbench.run.snapshot()->setup->scene;
         right = fmt::format("{}  ({})", scene.title, workbench.run.file().filename().string());

@@ -106,7 +106,7 @@ void draw_grid(ImDrawList& ink, const Axes& axes, double time_scale, const Displ
                 text = ImGui::GetColorU32(ImGuiCol_Text, 0.75F);
     const auto across =
         render::make_ticks(unit.scale * axes.least, unit.scale * axes.greatest,
-                           std::max(2, static_cast<int>((axes.high.y - axes.low.y) / (2.2F * em))));
+                           std::max(3, static_cast<int>((axes.high.y - axes.low.y) / (1.7F * em))));
     for (std::size_t i = 0; i < across.values.size(); ++i) {
         const float y = std::round(axes.y(across.values[i] / unit.scale));
         ink.AddLine({axes.low.x, y}, {axes.high.x, y}, grid);
@@ -209,8 +209,7 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
                     values[1]};
     ImDrawList& ink = *ImGui::GetWindowDrawList();
     const DisplayUnit time = units.display(Quantity::time, w.run.snapshot()->setup->scene.duration);
-    ink.AddRectFilled(axes.low, axes.high,
-                      ImGui::GetColorU32(w.screen.dark() ? ImGuiCol_FrameBg : ImGuiCol_PopupBg));
+    ink.AddRectFilled(axes.low, axes.high, w.screen.dark() ? IM_COL32(12, 14, 17, 255) : IM_COL32_WHITE);
     draw_grid(ink, axes, time.scale, unit, last);
     if (last) {
         const std::string label = fmt::format("time [{}]", time.label);
@@ -256,8 +255,8 @@ void show_plots(Workbench& w, const PanelArea& area) {
     const auto opened = std::count_if(state.plots.begin(), state.plots.end(), open);
     const float em = ImGui::GetFontSize();
     const float title = ImGui::GetTextLineHeightWithSpacing() + 2;
-    const float room =
-        ImGui::GetContentRegionAvail().y - title * static_cast<float>(state.plots.size()) - 2.5F * em;
+    const float room = ImGui::GetContentRegionAvail().y - title * static_cast<float>(state.plots.size()) -
+                       (ImGui::GetStyle().ItemSpacing.y + 3) * static_cast<float>(opened) - 2.5F * em;
     const float height = std::max(room / static_cast<float>(std::max<std::ptrdiff_t>(opened, 1)), 8 * em);
     const auto times = shown_times(w);
     const PlotInfo* last = nullptr;

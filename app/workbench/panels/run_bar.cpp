@@ -9,6 +9,12 @@
 namespace percuss::app {
 namespace {
 
+/// "830", "4.87 k", "1.2 M"
+std::string count_text(double count) {
+    const double scale = count >= 1e6 ? 1e6 : count >= 1e3 ? 1e3 : 1;
+    return render::format_number(count / scale) + (scale == 1e6 ? " M" : scale == 1e3 ? " k" : "");
+}
+
 void show_buttons(Workbench& w, const Units& units, double duration) {
     const float em = ImGui::GetFontSize();
     const bool running = w.run.status() == RunStatus::running;
@@ -64,7 +70,7 @@ void show_progress(Workbench& w, const Snapshot& now) {
     if (w.run.speed() > 0)
         facts += fmt::format("     {} a second, {} steps a second",
                              quantity_text(units, Quantity::time, w.run.speed()),
-                             render::format_number(w.run.steps_per_second()));
+                             count_text(w.run.steps_per_second()));
     ImGui::TextUnformatted(facts.c_str());
     tooltip(
         "Number and size of the last step, its fraction of the critical one, and how fast the run goes: "
@@ -106,11 +112,9 @@ void show_time_spent(Workbench& w) {
         ImGui::TextUnformatted(name);
     }
     if (s.step_seconds > 0)
-        ImGui::TextDisabled("%s",
-                            fmt::format("{} element-steps a second",
-                                        render::format_number(static_cast<double>(s.cells) *
-                                                              static_cast<double>(s.steps) / s.step_seconds))
-                                .c_str());
+        ImGui::TextDisabled(
+            "%s element-steps a second",
+            count_text(static_cast<double>(s.cells) * static_cast<double>(s.steps) / s.step_seconds).c_str());
 }
 
 }  // namespace percuss::app
