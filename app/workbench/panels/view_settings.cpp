@@ -134,7 +134,7 @@ void show_view_settings(Workbench& w) {
     choose_field(w, scene);
     choose_range(w, scene);
     choose_colours(w);
-    const float half = 0.5F * ImGui::GetContentRegionAvail().x + ImGui::GetCursorPosX();
+    const float half = 0.54F * ImGui::GetContentRegionAvail().x + ImGui::GetCursorPosX();
     command_box(w, "view.edges");
     ImGui::SameLine(half);
     command_box(w, "view.velocities");

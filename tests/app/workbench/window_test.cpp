@@ -80,6 +80,7 @@ widgets
 screenshot start.png
 until 0.0003
 do run.until
+wait time >= 0.0003
 wait status = paused
 frames 2
 expect time >= 0.0003
@@ -165,6 +166,14 @@ wait parameters.speed = 1
 }
 
 TEST_F(WindowTest, ABadSceneKeepsTheOldOneAndSaysWhere) {
+    write("binary.toml", std::string("\x7f"
+                                     "ELF\0\1\2\xff",
+                                     8));
+    std::string one = test::small_scene;  // one body, no contact
+    one.replace(one.find("two blocks"), 10, "one");
+    const auto anvil = one.find("[[body]]\nname = \"anvil\"");
+    one.erase(anvil, one.find("[expect]") - anvil);
+    write("one.toml", one);
     play(R"(
 wait time = 0
 click run.step
@@ -182,8 +191,18 @@ click messages.dismiss
 expect messages = ""
 frames 1
 screenshot dismissed.png
+open .
+wait messages != ""
+click messages.dismiss
+open binary.toml
+wait messages contains binary.toml
+open one.toml
+wait title = one
+do run.toggle
+wait status = finished
+expect messages = ""
 open scene.toml
-wait builds = 2
+wait builds = 3
 )");
     EXPECT_GT(count("refused.png", "messages", refusal), 2000);
     EXPECT_LT(count("dismissed.png", "messages", refusal), 200);
@@ -222,6 +241,7 @@ TEST_F(WindowTest, FieldRangeAndColoursAreChosenByLists) {
 wait time = 0
 until 0.0003
 do run.until
+wait time >= 0.0003
 wait status = paused
 click view.field
 click view.field.velocity.y
