@@ -12,8 +12,8 @@
 #include "ui/screen.hpp"
 #include "view/live_view.hpp"
 #include "view/pick.hpp"
-#include "workbench/curves.hpp"
-#include "workbench/live_run.hpp"
+#include "live/curves.hpp"
+#include "live/live_run.hpp"
 #include "workbench/widget_names.hpp"
 
 namespace percuss::app {

@@ -5,7 +5,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "workbench/fuzzy.hpp"
+#include "live/fuzzy.hpp"
 #include "workbench/panels/panel.hpp"
 
 namespace percuss::app {

@@ -1,4 +1,4 @@
-#include "workbench/fuzzy.hpp"
+#include "live/fuzzy.hpp"
 
 #include <algorithm>
 #include <cctype>

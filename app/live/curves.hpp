@@ -8,7 +8,7 @@
 
 #include "run/history.hpp"
 #include "scene/scene.hpp"
-#include "workbench/min_max_pyramid.hpp"
+#include "live/min_max_pyramid.hpp"
 
 namespace percuss::app {
 

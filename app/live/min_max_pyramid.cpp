@@ -1,4 +1,4 @@
-#include "workbench/min_max_pyramid.hpp"
+#include "live/min_max_pyramid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "workbench/live_run.hpp"
+#include "live/live_run.hpp"
 
 #include <condition_variable>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "workbench/curves.hpp"
+#include "live/curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "run/history_columns.hpp"
 #include "scene/parse.hpp"
-#include "workbench/fuzzy.hpp"
+#include "live/fuzzy.hpp"
 
 namespace percuss::app {
 namespace {

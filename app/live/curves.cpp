@@ -1,4 +1,4 @@
-#include "workbench/curves.hpp"
+#include "live/curves.hpp"
 
 #include <algorithm>
 #include <cmath>
