@@ -62,6 +62,9 @@ std::vector<EffectInfo> effects_of(const Scene& scene) {
         {"contact: joint problem", !scene.contacts.empty() && joint,
          "motion bound on each surface node; search of near nodes; one factorisation of the rows in touch"});
     effects.push_back(
+        {"friction", has_friction(scene),
+         "a second problem for the tangents of the rows with friction, solved in turn with the first"});
+    effects.push_back(
         {"lagged stresses", scene.lagged, "a second copy of the node positions: 48 bytes a node"});
     effects.push_back({"probes", !scene.probes.empty(), "one stress or node reading a probe and step"});
     return effects;

@@ -74,6 +74,7 @@ Solver::Solver(Scene scene, int threads)
     ledger.body_momentum.assign(s.bodies.size(), {0, 0});
     ledger.body_velocity.assign(s.bodies.size(), {0, 0});
     ledger.pair_work.assign(pairs_.size(), 0);
+    if (has_friction(setup_->scene)) ledger.pair_friction_work.assign(pairs_.size(), 0);
     ledger.body_works.resize(s.bodies.size());
     statistics_.cells = setup_->mesh.cell_count();
     statistics_.threads = team_.size();
@@ -245,32 +246,37 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
 }
 
 void Solver::add_contacts(Snapshot* snapshot) const {
+    std::vector<ContactForce>& forces = snapshot->contact_forces;
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         snapshot->pairs.push_back(pairs_[p].state);
-        std::vector<ContactForce> slaves;
-        for (const ContactRow& row : contact_->rows(p)) {
-            if (row.force == 0) continue;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double force = scale_ * row.force * row.share[k];
-                if (force == 0 || row.node[k] >= static_cast<std::int32_t>(body_of_node_.size()))
-                    continue;  // a wall's end
-                const ContactForce one{row.node[k],
-                                       static_cast<std::int32_t>(p),
-                                       k == 0,
-                                       {force * row.normal[0], force * row.normal[1]}};
-                const auto same = std::find_if(slaves.begin(), slaves.end(),
-                                               [&](const ContactForce& f) { return f.node == one.node; });
-                if (k == 0) {
-                    snapshot->contact_forces.push_back(one);
-                } else if (same == slaves.end()) {
-                    slaves.push_back(one);
-                } else {
-                    same->force[0] += one.force[0];
-                    same->force[1] += one.force[1];
+        const auto begin = static_cast<std::ptrdiff_t>(forces.size());
+        for (const auto rows : {contact_->rows(p), contact_->friction_rows(p)}) {
+            for (const ContactRow& row : rows) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const double force = scale_ * row.force * row.share[k];
+                    if (force == 0 || row.node[k] >= static_cast<std::int32_t>(body_of_node_.size()))
+                        continue;  // a wall's end
+                    forces.push_back({row.node[k],
+                                      static_cast<std::int32_t>(p),
+                                      k == 0,
+                                      {force * row.normal[0], force * row.normal[1]}});
                 }
             }
         }
-        snapshot->contact_forces.insert(snapshot->contact_forces.end(), slaves.begin(), slaves.end());
+        // One force for each node of either side.
+        const auto key = [](const ContactForce& f) { return std::pair(!f.master, f.node); };
+        std::sort(forces.begin() + begin, forces.end(),
+                  [&](const ContactForce& a, const ContactForce& b) { return key(a) < key(b); });
+        auto last = forces.begin() + begin;
+        for (auto next = last; next != forces.end(); ++next) {
+            if (next == last) continue;
+            if (key(*next) == key(*last)) {
+                for (std::size_t d = 0; d < 2; ++d) last->force[d] += next->force[d];
+            } else {
+                *++last = *next;
+            }
+        }
+        if (last != forces.end()) forces.erase(last + 1, forces.end());
     }
 }
 
@@ -324,6 +330,8 @@ RunStatistics Solver::statistics(bool complete) const {
         if (complete) statistics.elastic_energy_error = strain_energy_error() / reference;
     }
     for (std::size_t p = 0; p < pairs_.size(); ++p) statistics.pairs[p].work = scale_ * ledger.pair_work[p];
+    for (std::size_t p = 0; p < ledger.pair_friction_work.size(); ++p)
+        statistics.pairs[p].friction_work = scale_ * ledger.pair_friction_work[p];
     for (const auto& momentum : ledger.body_momentum)
         for (std::size_t d = 0; d < 2; ++d) statistics.momentum_final[d] += scale_ * momentum[d];
     statistics.angular_momentum_final = angular_momentum();

@@ -115,7 +115,17 @@ class Solver {
     void evaluate_critical_step();
     void start_half_step_early();
     void account_external_impulse();
-    double account_contacts(NodeSums& sums);
+    /// Of a pair's rows: resultant on the master body, and works of the force in the step around it.
+    struct RowSums {
+        std::array<double, 2> force{0, 0};
+        double work_before = 0, work = 0;
+        int active = 0;
+    };
+    struct ContactWorks {
+        double contact = 0, friction = 0;
+    };
+    [[nodiscard]] RowSums sum_rows(std::span<const ContactRow> rows) const;
+    ContactWorks account_contacts(NodeSums& sums);
     void count_events(std::size_t pair);
     void fill_history_row();
     void add_plastic_fields(Snapshot& snapshot) const;

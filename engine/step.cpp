@@ -148,7 +148,9 @@ void Solver::start_half_step_early() {
     for (std::size_t n = 0; n < mass_.size(); ++n) {
         for (std::size_t d = 0; d < 2; ++d) {
             double& v = state_.nodes[n].v[d];
-            v -= 0.5 * kick_ * inverse_mass_[2 * n + d] * external_[2 * n + d];
+            const double change = -0.5 * kick_ * inverse_mass_[2 * n + d] * external_[2 * n + d];
+            v += change;
+            ledger.body_momentum[static_cast<std::size_t>(body_of_node_[n])][d] += mass_[n] * change;
             if (inverse_mass_[2 * n + d] > 0)
                 statistics_.external_impulse[d] -= scale_ * 0.5 * kick_ * external_[2 * n + d];
             ledger.initial_kinetic += 0.5 * mass_[n] * v * v;
@@ -301,35 +303,54 @@ void Solver::account_external_impulse() {
     statistics_.external_impulse_gross += scale_ * gross;
 }
 
-/// Contact's share of the sums, once all pairs have corrected. @returns work of contact forces before t_n;
-/// the work after it goes to the ledger.
-double Solver::account_contacts(NodeSums& sums) {
+Solver::RowSums Solver::sum_rows(std::span<const ContactRow> rows) const {
+    RowSums sums;
+    for (const ContactRow& row : rows) {
+        if (row.force == 0) continue;
+        double rate_before = 0, rate_after = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double* before = &velocity_before_contact_[2 * static_cast<std::size_t>(row.node[k])];
+            const double* after = state_.nodes[static_cast<std::size_t>(row.node[k])].v;
+            rate_before += row.share[k] * (row.normal[0] * before[0] + row.normal[1] * before[1]);
+            rate_after += row.share[k] * (row.normal[0] * after[0] + row.normal[1] * after[1]);
+        }
+        const double half_impulse = 0.5 * kick_ * row.force;
+        sums.work_before += half_impulse * rate_before;
+        sums.work += half_impulse * (rate_before + rate_after);
+        for (std::size_t d = 0; d < 2; ++d) sums.force[d] += scale_ * row.force * row.normal[d];
+        ++sums.active;
+    }
+    return sums;
+}
+
+/// Contact's share of the sums, once all pairs have corrected. @returns works of contact and friction forces
+/// before t_n; the works after it go to the ledger.
+Solver::ContactWorks Solver::account_contacts(NodeSums& sums) {
     Ledger& ledger = state_.ledger;
     for (const std::int32_t node : touched_) {
         const auto before = velocity_before(node);
         for (std::size_t d = 0; d < 2; ++d)
             velocity_before_contact_[2 * static_cast<std::size_t>(node) + d] = before[d];
     }
-    double work_before = 0;
+    ContactWorks works_before;
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
         PairStatistics& statistics = statistics_.pairs[p];
+        const RowSums contact = sum_rows(contact_->rows(p));
+        works_before.contact += contact.work_before;
+        ledger.contact += contact.work;
+        ledger.pair_work[p] += contact.work;
         pair.state = {};
-        for (const ContactRow& row : contact_->rows(p)) {
-            if (row.force == 0) continue;
-            double rate_before = 0, rate_after = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double* before = &velocity_before_contact_[2 * static_cast<std::size_t>(row.node[k])];
-                const double* after = state_.nodes[static_cast<std::size_t>(row.node[k])].v;
-                rate_before += row.share[k] * (row.normal[0] * before[0] + row.normal[1] * before[1]);
-                rate_after += row.share[k] * (row.normal[0] * after[0] + row.normal[1] * after[1]);
-            }
-            const double half_impulse = 0.5 * kick_ * row.force;
-            work_before += half_impulse * rate_before;
-            ledger.contact += half_impulse * (rate_before + rate_after);
-            ledger.pair_work[p] += half_impulse * (rate_before + rate_after);
-            for (std::size_t d = 0; d < 2; ++d) pair.state.force[d] += scale_ * row.force * row.normal[d];
-            ++pair.state.active;
+        pair.state.force = contact.force;
+        pair.state.active = contact.active;
+        if (!ledger.pair_friction_work.empty()) {
+            const RowSums friction = sum_rows(contact_->friction_rows(p));
+            works_before.friction += friction.work_before;
+            ledger.friction += friction.work;
+            ledger.pair_friction_work[p] += friction.work;
+            for (std::size_t d = 0; d < 2; ++d) pair.state.force[d] += friction.force[d];
+            pair.state.friction = friction.force;
+            pair.state.sticking = contact_->sticking(p);
         }
         if (pair.state.active > 0) {
             pair.state.penetration = std::max(0.0, contact_->penetration(p, state_.nodes.data()));
@@ -366,7 +387,7 @@ double Solver::account_contacts(NodeSums& sums) {
         }
     }
     touched_.clear();
-    return work_before;
+    return works_before;
 }
 
 void Solver::count_events(std::size_t index) {
@@ -397,9 +418,9 @@ void Solver::count_events(std::size_t index) {
 
 std::optional<Divergence> Solver::close_ledger() {
     Ledger& ledger = state_.ledger;
-    const double contact = ledger.contact;
+    const double contact = ledger.contact, friction = ledger.friction;
     if (!supports_.empty() || !external_.empty()) account_external_impulse();
-    const double contact_before = pairs_.empty() ? 0 : account_contacts(sums_);
+    const ContactWorks before = pairs_.empty() ? ContactWorks{} : account_contacts(sums_);
     statistics_.contact_energy_in += scale_ * std::max(0.0, ledger.contact - contact);
 
     const double half = 0.5 * kick_;
@@ -420,7 +441,8 @@ std::optional<Divergence> Solver::close_ledger() {
     energy.hourglass = scale_ * ledger.hourglass;
     energy.viscous = scale_ * ledger.viscous;
     energy.plastic = scale_ * ledger.plastic;
-    energy.contact = scale_ * (contact + contact_before);
+    energy.contact = scale_ * (contact + before.contact);
+    energy.friction = scale_ * (friction + before.friction);
     energy.external = scale_ * (ledger.initial_kinetic + loads);
     for (std::size_t body = 0; body < body_mass_.size(); ++body)
         for (std::size_t d = 0; d < 2; ++d)
@@ -531,11 +553,17 @@ void Solver::fill_history_row() {
     auto to = row_.begin();
     const auto put = [&](double value) { *to++ = value; };
     put(state_.time);
-    for (const Pair& pair : pairs_) {
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        const Pair& pair = pairs_[p];
         put(pair.state.force[first]);
         put(pair.state.force[second]);
         put(pair.state.active);
         put(pair.state.penetration);
+        if (setup_->scene.contacts[p].friction > 0) {
+            put(pair.state.friction[first]);
+            put(pair.state.friction[second]);
+            put(pair.state.sticking);
+        }
     }
     for (const auto& velocity : state_.ledger.body_velocity) {
         put(velocity[first]);
@@ -548,6 +576,7 @@ void Solver::fill_history_row() {
     for (const double energy :
          {e.kinetic, e.internal, e.hourglass, e.viscous, e.plastic, e.contact, e.external, e.balance()})
         put(energy);
+    if (!state_.ledger.pair_friction_work.empty()) put(e.friction);
     put(state_.dt);
     put(state_.critical_step);
     for (std::size_t k = 0; k < probes_.size(); ++k) {

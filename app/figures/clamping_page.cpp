@@ -23,7 +23,7 @@ RunPage make_clamping_page(const RecordedRun& run, const FigureSpec& figure) {
     render::Bars bars;
     double most = 0;
     const std::vector<std::string> labels = figure.labels.empty() ? figure.columns : figure.labels;
-    for (const ContactMeans& pair : analysis.pairs)
+    for (const ForceMeans& pair : analysis.pairs)
         most = std::max(
             {most, std::abs(pair.peak[figure.direction]), std::abs(pair.residual[figure.direction])});
     const DisplayUnit unit = scene.units.display(Quantity::force, most);
@@ -31,7 +31,7 @@ RunPage make_clamping_page(const RecordedRun& run, const FigureSpec& figure) {
         histories.columns.push_back(fmt::format("contact.{}.{}", figure.columns[k], direction));
         const auto pair =
             std::find_if(analysis.pairs.begin(), analysis.pairs.end(),
-                         [&](const ContactMeans& means) { return means.pair == figure.columns[k]; });
+                         [&](const ForceMeans& means) { return means.name == figure.columns[k]; });
         // Which of the two bodies is the master is no matter of clamping: magnitudes.
         const double peak = unit.scale * std::abs(pair->peak[figure.direction]);
         const double residual = unit.scale * std::abs(pair->residual[figure.direction]);

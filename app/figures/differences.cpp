@@ -25,7 +25,7 @@ std::optional<std::string> unit_of(const std::string& path, const Scene& scene) 
     }
     if (path == "steps" || path == "elements") return "";
     if (path == "critical_step") return label(Quantity::time);
-    if (begins(path, "contact.")) {
+    if (begins(path, "contact.") || holds(path, ".drive.")) {
         if (holds(path, ".peak_averaged.") || holds(path, ".residual.")) return label(Quantity::force);
         if (holds(path, ".peak_averaged_time.")) return label(Quantity::time);
         if (holds(path, ".impulse.")) return label(Quantity::impulse);

@@ -28,27 +28,33 @@ std::vector<PlotInfo> plots_of(const Scene& scene, const std::vector<HistoryColu
     };
     const auto by_direction = [&](const std::string& kind, const std::string& title, Quantity quantity,
                                   const std::string& direction) -> PlotInfo& {
-        PlotInfo& made = plot(kind + "." + direction, axisymmetric ? direction + " " + title : title + " " + direction,
-                              quantity);
+        PlotInfo& made = plot(kind + "." + direction,
+                              axisymmetric ? direction + " " + title : title + " " + direction, quantity);
         made.folded = axisymmetric && direction == "radial";  // the axis is the main direction
         return made;
     };
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const auto& [name, quantity] = columns[i];
         if (name.starts_with("contact.") && quantity == Quantity::force) {
-            const auto [pair, direction] = parts_of(name, "contact.");
-            by_direction("forces", "contact force", quantity, direction).curves.push_back({i, pair});
+            const auto [pair, what] = parts_of(name, "contact.");
+            const std::string direction = what.substr(what.rfind('.') + 1);
+            const bool friction = what.starts_with("friction.");
+            by_direction(friction ? "friction" : "forces", friction ? "friction force" : "contact force",
+                         quantity, direction)
+                .curves.push_back({i, pair});
         } else if (name.starts_with("body.") && quantity == Quantity::velocity) {
             const auto [body, what] = parts_of(name, "body.");
             by_direction("velocities", "mean velocity", quantity, what.substr(what.rfind('.') + 1))
                 .curves.push_back({i, body});
         } else if (name.starts_with("energy.")) {
             const std::string what = name.substr(7);
-            const bool first = what == "kinetic" || what == "internal" || what == "plastic" || what == "balance";
+            const bool first = what == "kinetic" || what == "internal" || what == "plastic" ||
+                               what == "balance" || what == "friction";
             plot("energies", "energy", quantity)
                 .curves.push_back({i, what == "balance" ? "balance e" : what, first});
         } else if (name.starts_with("step.")) {
-            plot("step", "time step", quantity).curves.push_back({i, name == "step.dt" ? "step" : "critical"});
+            plot("step", "time step", quantity)
+                .curves.push_back({i, name == "step.dt" ? "step" : "critical"});
         } else if (name.starts_with("probe.")) {
             const auto [probe, what] = parts_of(name, "probe.");
             plot("probes." + what, "probes: " + what, quantity).curves.push_back({i, probe});

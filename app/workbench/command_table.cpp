@@ -38,6 +38,14 @@ bool option_on(const Workbench& w) {
     return w.viewport.options.*option;
 }
 
+/// What is shown now stays as the reference; the same command drops it.
+void toggle_reference(Workbench& w) {
+    if (w.reference)
+        w.reference.reset();
+    else if (w.run.snapshot())
+        w.reference.emplace(Reference{w.run.history(), w.run.snapshot(), {}});
+}
+
 void frame_model(Workbench& w, Framing framing) {
     w.viewport.framing = framing;
     w.viewport.camera.reset();
@@ -75,6 +83,10 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
         {"scene.file-values", "Values of the file", "",
          "Takes back all values that were set in the design panel.",
          [](Workbench& w) { w.run.forget_settings(); }},
+        {"reference.toggle", "Keep as reference", "B",
+         "Keeps this run to compare the next ones with: outline and curves beneath theirs, peaks in a table; "
+         "again: drops it.",
+         toggle_reference, [](const Workbench& w) { return w.reference.has_value(); }},
         {"view.fit", "Fit all", "F", "Shows all bodies and follows them.",
          [](Workbench& w) { frame_model(w, Framing::all); }},
         {"view.scene", "The scene's window", "Home",

@@ -31,6 +31,7 @@ constexpr NamedValue always[] = {
     {"panels", [](const Workbench& w) -> Value { return flag(w.panels); }},
     {"help", [](const Workbench& w) -> Value { return flag(w.help); }},
     {"frames", [](const Workbench& w) -> Value { return static_cast<double>(w.frames); }},
+    {"reference", [](const Workbench& w) -> Value { return flag(w.reference.has_value()); }},
     {"scale", [](const Workbench& w) -> Value { return w.screen.scale(); }},
     {"field", [](const Workbench& w) -> Value { return w.viewport.options.field; }},
     {"edges", [](const Workbench& w) -> Value { return flag(w.viewport.options.edges); }},

@@ -39,6 +39,7 @@ void Workbench::frame() {
     watch_file(*this);
     if (LiveRun::Clock::now() > note_until_) note_.clear();
     run.update();
+    if (reference) reference->follow(run.history(), run.snapshot());
     obey_keys(*this);
 
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -56,6 +57,7 @@ void Workbench::frame() {
             const Panel panel("settings", {0, top, left, height});
             show_view_settings(*this);
             show_design(*this);
+            show_reference(*this);
             show_time_spent(*this);
         }
         show_plots(*this, {display.x - right, top, right, height});

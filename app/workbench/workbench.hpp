@@ -9,11 +9,12 @@
 #include <variant>
 #include <vector>
 
+#include "live/curves.hpp"
+#include "live/live_run.hpp"
+#include "live/reference.hpp"
 #include "ui/screen.hpp"
 #include "view/live_view.hpp"
 #include "view/pick.hpp"
-#include "live/curves.hpp"
-#include "live/live_run.hpp"
 #include "workbench/widget_names.hpp"
 
 namespace percuss::app {
@@ -79,6 +80,7 @@ class Workbench {
     render::Screen& screen;
     ViewportState viewport;
     PlotsState plots;
+    std::optional<Reference> reference;  ///< the run that the present one is compared with
     WidgetNames names;
     bool panels = true, help = false, pick_scene = false;
     bool reload_by_itself = true;

@@ -38,4 +38,10 @@ Surface make_surface(const Mesh& mesh, const SurfaceName& name) {
     return surface;
 }
 
+std::vector<std::int32_t> wall_nodes(const Mesh& mesh) {
+    std::vector<std::int32_t> nodes;
+    for (const Edge& wall : mesh.walls) nodes.insert(nodes.end(), wall.nodes.begin(), wall.nodes.end());
+    return nodes;
+}
+
 }  // namespace percuss

@@ -25,4 +25,7 @@ struct Surface {
 /// @pre the scene was checked: body and edge, or the wall, exist.
 [[nodiscard]] Surface make_surface(const Mesh& mesh, const SurfaceName& name);
 
+/// The nodes of all walls, which never move.
+[[nodiscard]] std::vector<std::int32_t> wall_nodes(const Mesh& mesh);
+
 }  // namespace percuss

@@ -30,14 +30,15 @@ struct alignas(64) NodeSums {
 /// leapfrog's own energy), so whatever is missing was taken by the contact. Numbers are per radian or unit thickness.
 struct Ledger {
     double initial_kinetic = 0;
-    double internal = 0, hourglass = 0, viscous = 0, plastic = 0, contact = 0, loads = 0;  ///< works, up to and with the last "after"
+    double internal = 0, hourglass = 0, viscous = 0, plastic = 0, contact = 0, friction = 0, loads = 0;  ///< works, up to and with the last "after"
     double growth = 0, loss = 0;    ///< largest rise above an earlier minimum, largest fall below the start
     double lowest = 0;              ///< smallest K + I - W so far
     double largest_kinetic = 0, largest_load = 0;
     Energies present;               ///< of the last closed instant
     std::vector<std::array<double, 2>> body_momentum;  ///< after the last instant
     std::vector<std::array<double, 2>> body_velocity;  ///< mass-averaged, at the last closed instant
-    std::vector<double> pair_work;
+    std::vector<double> pair_work;           ///< of contact forces
+    std::vector<double> pair_friction_work;  ///< empty in scenes without friction
     struct Works {
         double hourglass = 0, viscous = 0, plastic = 0;
         Works& operator+=(const Works& other) {

@@ -28,16 +28,18 @@ Json pull_out(const Scene& scene, const PullOutEstimate& estimate) {
 
 }  // namespace
 
-Json analyse(const Scene& scene, const History& history, Json& contacts) {
+Json analyse(const Scene& scene, const History& history, Json& contacts, Json& bodies) {
     Json result = Json::object();
-    if (scene.contacts.empty() || history.rows() < 2) return result;
+    if (history.rows() < 2) return result;
     const ContactAnalysis analysis = analyse_contacts(scene, history);
-    for (const ContactMeans& pair : analysis.pairs) {
-        Json& of_pair = contacts[pair.pair];
-        of_pair["peak_averaged"] = by_direction(scene, pair.peak);
-        of_pair["peak_averaged_time"] = by_direction(scene, pair.peak_time);
-        of_pair["residual"] = by_direction(scene, pair.residual);
-    }
+    if (analysis.pairs.empty() && analysis.drives.empty()) return result;
+    const auto put = [&](Json& to, const ForceMeans& means) {
+        to["peak_averaged"] = by_direction(scene, means.peak);
+        to["peak_averaged_time"] = by_direction(scene, means.peak_time);
+        to["residual"] = by_direction(scene, means.residual);
+    };
+    for (const ForceMeans& pair : analysis.pairs) put(contacts[pair.name], pair);
+    for (const ForceMeans& drive : analysis.drives) put(bodies[drive.name]["drive"], drive);
     result["window"] = analysis.window;
     result["residual_from"] = analysis.residual_from;
     result["residual_to"] = analysis.residual_to;

@@ -108,7 +108,7 @@ struct RunFile::Impl {
             const auto active = row<std::int32_t>("pair_active", index, pairs);
             const auto penetration = row<double>("pair_penetration", index, pairs);
             for (std::size_t p = 0; p < pairs; ++p) {
-                snapshot.pairs.push_back({pair_at(force, p), active[p], penetration[p]});
+                snapshot.pairs.push_back({pair_at(force, p), active[p], penetration[p], {}, 0});
             }
         }
         const auto velocity = row<double>("body_velocity", index, 2 * bodies);
@@ -120,7 +120,9 @@ struct RunFile::Impl {
                 snapshot.body_energies.push_back({e[0], e[1], e[2], e[3], e[4]});
         }
         const auto e = row<double>("energies", index, layout::energy_columns.size());
-        snapshot.energy = {e[0], e[1], e[2], e[3], e[4], e[5], e[6]};
+        snapshot.energy = {e[0], e[1], e[2], e[3], e[4], e[5], e[6], 0};
+        if (has_friction(setup->scene))
+            snapshot.energy.friction = row<double>("friction_energy", index, 1).front();
     }
 
     std::shared_ptr<const Snapshot> read_frame(std::int64_t index) const {

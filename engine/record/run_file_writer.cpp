@@ -81,7 +81,7 @@ struct RunFileWriter::Impl {
     Handle file, frames, history;  // before what they hold: closed last
     Rows time, step, dt, critical_step, status;
     Rows position, velocity, stress, von_mises, pressure;
-    Rows plastic_strain, yield_stress, temperature;
+    Rows plastic_strain, yield_stress, temperature, friction_energy;
     Rows contact_begin, contact_node, contact_pair, contact_master, contact_force;
     Rows pair_force, pair_active, pair_penetration, body_velocity, body_energies, energies;
     Handle trace_group;
@@ -124,6 +124,8 @@ struct RunFileWriter::Impl {
         }
         if (ambient_temperature(setup->scene))
             temperature = number_rows(frames, "temperature", Quantity::temperature, {cells}, 1);
+        if (has_friction(setup->scene))
+            friction_energy = number_rows(frames, "friction_energy", Quantity::energy, {}, few);
         contact_begin = Rows(frames.id(), "contact_begin", H5T_NATIVE_INT64, {2}, few);
         contact_node = integer_rows(frames, "contact_node", {}, many);
         contact_pair = integer_rows(frames, "contact_pair", {}, many);
@@ -256,6 +258,7 @@ struct RunFileWriter::Impl {
             plastic_strain.append(std::span<const double>(snapshot.plastic_strain));
             yield_stress.append(std::span<const double>(snapshot.yield_stress));
         }
+        if (friction_energy) one(friction_energy, snapshot.energy.friction);
         if (temperature) temperature.append(std::span<const double>(snapshot.temperature));
         append_contacts(snapshot);
         append_states(snapshot);

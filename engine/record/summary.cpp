@@ -35,21 +35,23 @@ Json wall_seconds(const RunStatistics& statistics) {
             {"total", statistics.total_seconds}};
 }
 
-Json energy(const RunStatistics& statistics, const Energies& last) {
-    return {{"initial", statistics.initial_energy},
-            {"final", last.kinetic + last.internal},
-            {"maximum_growth", statistics.maximum_growth},
-            {"maximum_loss", statistics.maximum_loss},
-            {"elastic_error", statistics.elastic_energy_error},
-            {"kinetic", last.kinetic},
-            {"internal", last.internal},
-            {"hourglass", last.hourglass},
-            {"viscous", last.viscous},
-            {"plastic", last.plastic},
-            {"contact", last.contact},
-            {"contact_in", statistics.contact_energy_in},
-            {"external", last.external},
-            {"balance", last.balance()}};
+Json energy(const Scene& scene, const RunStatistics& statistics, const Energies& last) {
+    Json result{{"initial", statistics.initial_energy},
+                {"final", last.kinetic + last.internal},
+                {"maximum_growth", statistics.maximum_growth},
+                {"maximum_loss", statistics.maximum_loss},
+                {"elastic_error", statistics.elastic_energy_error},
+                {"kinetic", last.kinetic},
+                {"internal", last.internal},
+                {"hourglass", last.hourglass},
+                {"viscous", last.viscous},
+                {"plastic", last.plastic},
+                {"contact", last.contact},
+                {"contact_in", statistics.contact_energy_in},
+                {"external", last.external},
+                {"balance", last.balance()}};
+    if (has_friction(scene)) result["friction"] = last.friction;
+    return result;
 }
 
 Json momentum(const RunStatistics& statistics, const Names& names, Geometry geometry) {
@@ -74,12 +76,13 @@ Json contacts(const Scene& scene, const RunStatistics& statistics, const History
     Json result = Json::object();
     for (std::size_t p = 0; p < std::min(scene.contacts.size(), statistics.pairs.size()); ++p) {
         const PairStatistics& pair = statistics.pairs[p];
-        result[scene.contacts[p].name] = {
-            {"peak_force", pair.peak_force},           {"impulse", by_direction(names, pair.impulse)},
-            {"open_close_events", pair.events},        {"node_openings", pair.openings},
-            {"node_closings", pair.closings},          {"negative_forces", pair.negative_forces},
-            {"max_penetration", pair.max_penetration}, {"work", pair.work}};
-        result[scene.contacts[p].name].update(contact_history(history, scene.contacts[p].name, names));
+        Json& contact = result[scene.contacts[p].name];
+        contact = {{"peak_force", pair.peak_force},           {"impulse", by_direction(names, pair.impulse)},
+                   {"open_close_events", pair.events},        {"node_openings", pair.openings},
+                   {"node_closings", pair.closings},          {"negative_forces", pair.negative_forces},
+                   {"max_penetration", pair.max_penetration}, {"work", pair.work}};
+        if (scene.contacts[p].friction > 0) contact["friction_work"] = pair.friction_work;
+        contact.update(contact_history(history, scene.contacts[p].name, names));
     }
     return result;
 }
@@ -88,13 +91,20 @@ Json contact_solver(const Scene& scene, const RunStatistics& statistics) {
     const ContactSolverStatistics& s = statistics.contact_solver;
     const auto problems = static_cast<double>(s.problems);
     if (scene.contact_solver.scheme == ContactScheme::projection) return {{"scheme", "projection"}};
-    return {{"scheme", "joint"},
-            {"problems", s.problems},
-            {"rows_mean", ratio(static_cast<double>(s.rows), problems)},
-            {"rows_max", s.most_rows},
-            {"iterations_mean", ratio(static_cast<double>(s.iterations), problems)},
-            {"iterations_max", s.most_iterations},
-            {"fallbacks", s.fallbacks}};
+    Json result{{"scheme", "joint"},
+                {"problems", s.problems},
+                {"rows_mean", ratio(static_cast<double>(s.rows), problems)},
+                {"rows_max", s.most_rows},
+                {"iterations_mean", ratio(static_cast<double>(s.iterations), problems)},
+                {"iterations_max", s.most_iterations},
+                {"fallbacks", s.fallbacks}};
+    if (has_friction(scene))
+        result["friction"] = {{"solutions", s.friction_solutions},
+                              {"rounds_mean", ratio(static_cast<double>(s.friction_rounds),
+                                                    static_cast<double>(s.friction_solutions))},
+                              {"rounds_max", s.most_friction_rounds},
+                              {"unsettled", s.unsettled}};
+    return result;
 }
 
 /// Smallest and largest coordinate of a body's nodes.
@@ -211,13 +221,14 @@ nlohmann::ordered_json make_summary(const RunSetup& setup, const RunStatistics& 
     summary["dt_max"] = statistics.dt_max;
     summary["critical_step"] = statistics.critical_step_initial;
     summary["critical_step_min"] = statistics.critical_step_min;
-    summary["energy"] = energy(statistics, last.energy);
+    summary["energy"] = energy(scene, statistics, last.energy);
     summary["energy_budget"] = budget_summary(last);
     summary["momentum"] = momentum(statistics, names, scene.geometry);
     if (!scene.contacts.empty()) summary["contact_solver"] = contact_solver(scene, statistics);
     Json& pairs = summary["contact"] = contacts(scene, statistics, history, names);
-    Json analysis = analyse(scene, history, pairs);
-    summary["body"] = bodies(setup, statistics, history, last, names);
+    Json of_bodies = bodies(setup, statistics, history, last, names);
+    Json analysis = analyse(scene, history, pairs, of_bodies);
+    summary["body"] = std::move(of_bodies);
     summary["analysis"] = std::move(analysis);
     summary["exact"] = exact_answers(scene, history);
     summary["state_hash"] = statistics.state_hash;

@@ -28,10 +28,10 @@ ContactAnalysis analyse_contacts(const Scene& scene, const History& history) {
     analysis.residual_to = times.back();
     analysis.residual_from = times.back() - scene.analysis.residual * (times.back() - times.front());
     const auto directions = direction_names(scene.geometry);
-    for (const ContactPair& pair : scene.contacts) {
-        ContactMeans means{pair.name};
+    const auto means_of = [&](const std::string& name, const std::string& columns) {
+        ForceMeans means{name};
         for (std::size_t d = 0; d < 2; ++d) {
-            const auto column = find_column(history, "contact." + pair.name + "." + directions[d]);
+            const auto column = find_column(history, columns + directions[d]);
             if (!column) continue;
             // Rows that came since `times` was read belong to no time of it.
             std::vector<double> force = history.values(*column, 0, times.size());
@@ -41,8 +41,13 @@ ContactAnalysis analyse_contacts(const Scene& scene, const History& history) {
             means.peak[d] = force[peak];
             means.peak_time[d] = times[peak];
         }
-        analysis.pairs.push_back(std::move(means));
-    }
+        return means;
+    };
+    for (const ContactPair& pair : scene.contacts)
+        analysis.pairs.push_back(means_of(pair.name, "contact." + pair.name + "."));
+    for (const Body& body : scene.bodies)
+        if (!body.prescribed.empty())
+            analysis.drives.push_back(means_of(body.name, "body." + body.name + ".drive."));
     return analysis;
 }
 

@@ -10,9 +10,10 @@
 
 namespace percuss {
 
-/// What a pair's force comes to over a whole run, by direction (first, second) [force].
-struct ContactMeans {
-    std::string pair;
+/// What the force of a pair, or of what drives a body, comes to over a whole run, by direction (first, second)
+/// [force].
+struct ForceMeans {
+    std::string name;  ///< of the pair or body
     std::array<double, 2> peak{0, 0};       ///< of largest magnitude in the moving average
     std::array<double, 2> peak_time{0, 0};  ///< [time]
     std::array<double, 2> residual{0, 0};   ///< mean over the last part of the run
@@ -22,7 +23,8 @@ struct ContactMeans {
 struct ContactAnalysis {
     double window = 0;                          ///< of the moving average [time]
     double residual_from = 0, residual_to = 0;  ///< [time]
-    std::vector<ContactMeans> pairs;            ///< in the order of scene.contacts
+    std::vector<ForceMeans> pairs;              ///< in the order of scene.contacts
+    std::vector<ForceMeans> drives;             ///< of the bodies with prescribed motion
 };
 /// Directions without a column in the history stay 0. @pre the history has at least one row.
 [[nodiscard]] ContactAnalysis analyse_contacts(const Scene& scene, const History& history);

@@ -23,6 +23,7 @@ std::vector<EnergyShare> energy_budget(const Snapshot& snapshot) {
         for (std::size_t b = 0; b < snapshot.body_energies.size(); ++b)
             add(kind, snapshot.setup->scene.bodies[b].name, snapshot.body_energies[b].*energy);
     add("contact", "", -snapshot.energy.contact);
+    if (has_friction(snapshot.setup->scene)) add("friction", "", -snapshot.energy.friction);
     add("unaccounted", "", snapshot.energy.external - sum);
     return shares;
 }

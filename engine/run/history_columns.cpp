@@ -25,6 +25,10 @@ std::vector<HistoryColumn> history_columns(const Scene& scene) {
             columns.push_back({"contact." + pair.name + "." + direction[d], Quantity::force});
         columns.push_back({"contact." + pair.name + ".active", Quantity::dimensionless});
         columns.push_back({"contact." + pair.name + ".penetration", Quantity::length});
+        if (pair.friction == 0) continue;
+        for (const std::size_t d : order)
+            columns.push_back({"contact." + pair.name + ".friction." + direction[d], Quantity::force});
+        columns.push_back({"contact." + pair.name + ".sticking", Quantity::dimensionless});
     }
     for (const Body& body : scene.bodies)
         for (const std::size_t d : order)
@@ -36,6 +40,7 @@ std::vector<HistoryColumn> history_columns(const Scene& scene) {
     for (const char* energy :
          {"kinetic", "internal", "hourglass", "viscous", "plastic", "contact", "external", "balance"})
         columns.push_back({std::string("energy.") + energy, Quantity::energy});
+    if (has_friction(scene)) columns.push_back({"energy.friction", Quantity::energy});
     columns.push_back({"step.dt", Quantity::time});
     columns.push_back({"step.critical", Quantity::time});
     for (const Probe& probe : scene.probes)

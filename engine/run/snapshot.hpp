@@ -35,10 +35,11 @@ struct Energies {
     double internal = 0;   ///< work of all internal nodal forces: strain + hourglass + viscous + plastic
     double hourglass = 0;  ///< part of internal
     double viscous = 0;    ///< part of internal
-    double contact = 0;  ///< work done on the bodies by contact forces (negative: energy lost at the contact)
+    double contact = 0;  ///< work done on the bodies by contact forces (negative: energy lost at the contact), without friction
     double external =
         0;  ///< E of the paper: initial kinetic energy + work of loads, body forces, prescribed motion
-    double plastic = 0;  ///< part of internal
+    double plastic = 0;   ///< part of internal
+    double friction = 0;  ///< work done on the bodies by friction forces; not part of contact
     /// e = E - I - K of the paper: what the contact took away.
     [[nodiscard]] double balance() const { return external - internal - kinetic; }
 };
@@ -48,6 +49,8 @@ struct PairState {
         0, 0};                ///< resultant on the master body; radial = sum of radial components [force]
     std::int32_t active = 0;  ///< master nodes in contact
     double penetration = 0;   ///< largest penetration left after the correction [length]
+    std::array<double, 2> friction{0, 0};  ///< part of force; 0 in runs read from a file [force]
+    std::int32_t sticking = 0;             ///< of the active nodes; likewise
 };
 
 struct BodyState {

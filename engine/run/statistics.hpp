@@ -27,7 +27,8 @@ struct PairStatistics {
     std::int64_t openings = 0, closings = 0;  ///< of master nodes, one count per node and change
     std::int64_t negative_forces = 0;         ///< rows whose unrestricted C came out negative
     double max_penetration = 0;               ///< largest penetration left after correction [length]
-    double work = 0;                          ///< work done on the bodies by this pair's forces [energy]
+    double work = 0;           ///< work done on the bodies by this pair's contact forces [energy]
+    double friction_work = 0;  ///< work done on the bodies by its friction forces [energy]
 };
 
 /// What the solver of the joint contact problem did.
@@ -38,6 +39,10 @@ struct ContactSolverStatistics {
     std::int64_t rows = 0;        ///< in all of them
     int most_iterations = 0;      ///< for one of them
     std::int32_t most_rows = 0;   ///< in one of them
+    std::int64_t friction_solutions = 0;  ///< steps in which contact and friction were solved in turn
+    std::int64_t friction_rounds = 0;     ///< rounds for them
+    int most_friction_rounds = 0;         ///< in one of them
+    std::int64_t unsettled = 0;           ///< of them, how many ended before friction had settled
 };
 
 /// What a run did, counted while it ran.

@@ -104,7 +104,7 @@ void read_bodies(TableReader& root, Scene& scene) {
         body.body_force = pair("body_force");
         read_blocks(reader, scene.geometry, body, cells);
         read_chains(reader, body);
-        read_boundary(reader, scene.geometry, body);
+        read_boundary(reader, scene, body);
         reader.finish();
         scene.bodies.push_back(std::move(body));
     }

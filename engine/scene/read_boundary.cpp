@@ -94,14 +94,16 @@ EdgeLoad read_load(TableReader& reader, const Body& body) {
 
 }  // namespace
 
-void read_boundary(TableReader& body, Geometry geometry, Body& result) {
+void read_boundary(TableReader& body, const Scene& scene, Body& result) {
     for (auto& reader : body.tables("constraint")) {
-        result.constraints.push_back(read_constraint(reader, geometry, result));
+        result.constraints.push_back(read_constraint(reader, scene.geometry, result));
         reader.finish();
     }
     for (auto& reader : body.tables("prescribed")) {
-        result.prescribed.push_back(read_prescribed(reader, geometry, result));
+        auto prescribed = read_prescribed(reader, scene.geometry, result);
         reader.finish();
+        // A phase that a parameter leaves out costs nothing.
+        if (prescribed.from < scene.duration) result.prescribed.push_back(std::move(prescribed));
     }
     for (auto& reader : body.tables("load")) {
         result.loads.push_back(read_load(reader, result));

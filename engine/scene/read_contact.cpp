@@ -102,6 +102,11 @@ void read_contacts(TableReader& root, Scene& scene) {
             reader.error("sign",
                          "the joint scheme knows no tension; leave 'sign' out, or choose scheme = "
                          "\"projection\" in [contact_solver]");
+        pair.friction = reader.number("friction", not_negative).value_or(0);
+        if (pair.friction > 0 && scene.contact_solver.scheme != ContactScheme::joint)
+            reader.error("friction",
+                         "the scheme \"projection\" knows no friction; write scheme = \"joint\" in "
+                         "[contact_solver], or leave 'friction' out");
         const bool self = reader.flag("self").value_or(false);
         if (master) pair.master = *master;
         if (slave) pair.slave = *slave;

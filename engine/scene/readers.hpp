@@ -32,7 +32,7 @@ void read_shape(TableReader& reader, Geometry geometry, Block& block);
 /// Cells along the sides, `divisions` and `grading`; needs the shape.
 void read_cells(TableReader& reader, Block& block);
 void read_chains(TableReader& body, Body& result);                       ///< chains; needs the blocks
-void read_boundary(TableReader& body, Geometry geometry, Body& result);  ///< constraint, prescribed, load
+void read_boundary(TableReader& body, const Scene& scene, Body& result);  ///< constraint, prescribed, load
 
 /// Warns when the wave speed of a material is absurd in the declared units, and names the likely slip.
 void check_wave_speed(const Units& units, const Material& material, const Place& place, Faults& faults);

@@ -166,7 +166,7 @@ struct Body {
     Place place;
 };
 
-/// A rigid, frictionless half space that does not move; contact pairs name it as their slave.
+/// A rigid half space that does not move; contact pairs name it as their slave.
 struct Wall {
     std::string name;
     Vec2 point{0, 0};   ///< of its surface [length]
@@ -194,6 +194,7 @@ struct ContactPair {
     std::string name;
     SurfaceName master, slave;
     ContactSign sign = ContactSign::restricted;
+    double friction = 0;  ///< Coulomb's coefficient; 0: the pair slides freely
     Place place;
 };
 
@@ -295,5 +296,12 @@ struct Scene {
     std::vector<std::string> overrides;  ///< "key=value", in the order given
     std::vector<std::string> warnings;   ///< "file:line:column: warning: ..."
 };
+
+/// Whether a contact pair of the scene calls for friction.
+[[nodiscard]] inline bool has_friction(const Scene& scene) {
+    for (const ContactPair& pair : scene.contacts)
+        if (pair.friction > 0) return true;
+    return false;
+}
 
 }  // namespace percuss

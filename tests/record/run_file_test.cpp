@@ -57,7 +57,7 @@ void expect_same(const Snapshot& read, const Snapshot& written) {
     EXPECT_EQ(read.yield_stress, written.yield_stress);
     EXPECT_EQ(read.temperature, written.temperature);
     for (const auto part : {&Energies::kinetic, &Energies::internal, &Energies::hourglass, &Energies::viscous,
-                            &Energies::contact, &Energies::external, &Energies::plastic})
+                            &Energies::contact, &Energies::external, &Energies::plastic, &Energies::friction})
         EXPECT_EQ(read.energy.*part, written.energy.*part);
     EXPECT_EQ(read.status, written.status);
 }
@@ -80,6 +80,15 @@ TEST_F(RunFileTest, GivesBackPlasticFieldsAndTemperatures) {
         const auto frame = run.frame(f);
         EXPECT_EQ(frame->temperature.size(), 3U);
         expect_same(*frame, sample_snapshot(setup_, f));
+    }
+}
+
+TEST_F(RunFileTest, GivesBackTheWorkOfFriction) {
+    write(3, 3, true, {"contact.impact.friction=0.2", "contact_solver.scheme=joint"});
+    for (int f : {2, 0, 1}) {
+        const double work = RunFile(file_).frame(f)->energy.friction;
+        EXPECT_EQ(work, sample_snapshot(setup_, f).energy.friction);
+        EXPECT_NE(work, 0);
     }
 }
 

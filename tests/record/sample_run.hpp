@@ -118,7 +118,8 @@ inline Snapshot sample_snapshot(const std::shared_ptr<const RunSetup>& setup, in
     }
     snapshot.pairs = {{{0.25 * frame, 0.5 * frame}, frame % 3, 1e-3 * frame}};
     snapshot.bodies = {{{0, -1. / (1 + frame)}}, {{0.5, 0.25 * frame}}};
-    snapshot.energy = {1, 2, 3, 4, 5, 6. + frame, 0.5 * frame};
+    snapshot.energy = {1, 2, 3, 4, 5, 6. + frame, 0.5 * frame, 0};
+    if (has_friction(setup->scene)) snapshot.energy.friction = -0.125 * (1 + frame);
     snapshot.status = RunStatus::running;
     return snapshot;
 }

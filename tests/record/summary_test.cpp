@@ -139,6 +139,28 @@ TEST(Summary, TellsWhatTheJointSolverDid) {
     EXPECT_DOUBLE_EQ(summary_value(summary, "contact_solver.rows_mean").value_or(-1), 5);
     EXPECT_EQ(summary_value(summary, "contact_solver.fallbacks"), 1);
     EXPECT_EQ(summary_value(summary, "energy.contact_in"), 0.002);
+    EXPECT_FALSE(summary["contact_solver"].contains("friction"));
+    EXPECT_FALSE(summary["energy"].contains("friction"));
+}
+
+TEST(Summary, TellsWhatFrictionDid) {
+    RunSetup setup = rods();
+    setup.scene.contact_solver.scheme = ContactScheme::joint;
+    setup.scene.contacts[0].friction = 0.2;
+    RunStatistics s = statistics();
+    s.contact_solver.friction_solutions = 20;
+    s.contact_solver.friction_rounds = 30;
+    s.contact_solver.most_friction_rounds = 4;
+    s.contact_solver.unsettled = 1;
+    s.pairs[0].friction_work = -2;
+    Snapshot end = last();
+    end.energy.friction = -2.5;
+    const auto summary = make_summary(setup, s, *doubled_pulse(), end);
+    EXPECT_EQ(summary_value(summary, "contact_solver.friction.rounds_mean"), 1.5);
+    EXPECT_EQ(summary_value(summary, "contact_solver.friction.rounds_max"), 4);
+    EXPECT_EQ(summary_value(summary, "contact_solver.friction.unsettled"), 1);
+    EXPECT_EQ(summary_value(summary, "contact.impact.friction_work"), -2);
+    EXPECT_EQ(summary_value(summary, "energy.friction"), -2.5);
 }
 
 TEST(Summary, FindsPeaksTouchesAndStopsInTheHistories) {

@@ -60,6 +60,18 @@ TEST(PrescribedVelocity, PullsABarWithItsImpedance) {
     EXPECT_LT(run.solver.statistics().elastic_energy_error, 1e-4);
 }
 
+TEST(PrescribedVelocity, OneThatNeverActsIsLeftOut) {
+    const auto bar = [](double from) {
+        return scene_of(scene_head("axisymmetric", 0.01, 0) +
+                        box_body("bar", {0, 0, 5, 100}, {2, 10}, "",
+                                 fmt::format("[[body.prescribed]]\nedge = \"top\"\ndirection = "
+                                             "\"axial\"\nvelocity = 1\nfrom = {}\n",
+                                             from)));
+    };
+    EXPECT_EQ(bar(0.0099).bodies[0].prescribed.size(), 1U);
+    EXPECT_TRUE(bar(0.01).bodies[0].prescribed.empty());
+}
+
 TEST(PrescribedVelocity, ActsBetweenTwoTimesOnly) {
     // A pulse of stress rho c v as long as the pull; the edge is free before it and after it.
     constexpr double v = 2, length = 100, area = 25 * std::numbers::pi;

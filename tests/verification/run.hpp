@@ -31,12 +31,15 @@ struct RecordedRun {
         while (!solver.finished()) step();
     }
     [[nodiscard]] std::vector<double> column(const std::string& name) const { return history.values(name); }
-    /// e + contact work, largest over the run: what neither force nor motion accounts for [energy].
+    /// e + work of contact and friction, largest over the run: what neither force nor motion accounts for
+    /// [energy].
     [[nodiscard]] double unexplained_energy() const {
         const auto balance = column("energy.balance"), contact = column("energy.contact");
+        std::vector<double> friction(balance.size(), 0);
+        if (has_friction(solver.setup()->scene)) friction = column("energy.friction");
         double most = 0;
         for (std::size_t n = 0; n < balance.size(); ++n)
-            most = std::max(most, std::abs(balance[n] + contact[n]));
+            most = std::max(most, std::abs(balance[n] + contact[n] + friction[n]));
         return most;
     }
 };

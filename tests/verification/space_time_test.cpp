@@ -1,5 +1,6 @@
 // What figures show of waves and energies, by its numbers.
 #include <cmath>
+#include <optional>
 
 #include "run/energy_budget.hpp"
 #include "run/engine.hpp"
@@ -54,6 +55,21 @@ TEST(EnergyBudget, SharesOfTheRodsAddUpToWhatWasPutIn) {
     // Kinetic energy stands half a step before the strains: half of 0.36 us of waves that live 39 us, which
     // kinetic energy feeds.
     EXPECT_LT(std::abs(unaccounted), 4e-3 * sum);
+}
+
+TEST(EnergyBudget, FrictionHasAShareInScenesThatCallForIt) {
+    const auto share = [](const Snapshot& snapshot) {
+        std::optional<double> energy;
+        for (const EnergyShare& part : energy_budget(snapshot))
+            if (part.kind == "friction") energy = part.energy;
+        return energy;
+    };
+    Engine block(load_scene(PERCUSS_SOURCE_DIR "/scenes/sliding_block.toml", {"model.duration=50"}));
+    const auto last = run_to_end(block);
+    ASSERT_TRUE(share(*last));
+    EXPECT_NEAR(*share(*last) / last->energy.external, 1 - std::pow(1 - 0.3 * 9.81e-3 * 50, 2), 0.01);
+    Engine without(rods({"model.duration=0.001"}));
+    EXPECT_FALSE(share(*run_to_end(without)));
 }
 
 TEST(EnergyBudget, PlasticWorkOfABarOnAWallIsInItsBody) {

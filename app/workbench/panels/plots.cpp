@@ -71,11 +71,19 @@ struct Axes {
     [[nodiscard]] double time(float at) const { return from + (to - from) * (at - low.x) / (high.x - low.x); }
 };
 
+/// The reference's column for a curve, unless the reference is the present run itself.
+std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo& curve) {
+    if (!w.reference || w.reference->history == w.run.history()) return std::nullopt;
+    return w.reference->column(w.plots.columns[curve.column].name);
+}
+
 std::array<double, 2> shown_times(const Workbench& w) {
     if (w.plots.time) return *w.plots.time;
     const Curves& curves = w.plots.curves;
     const double duration = w.run.snapshot()->setup->scene.duration;
-    const double last = curves.rows() > 0 ? curves.times()[curves.rows() - 1] : 0;
+    double last = curves.rows() > 0 ? curves.times()[curves.rows() - 1] : 0;
+    if (w.reference && w.reference->curves.rows() > 0)
+        last = std::max(last, w.reference->curves.times()[w.reference->curves.rows() - 1]);
     return {0, std::max(last, 0.02 * duration)};
 }
 
@@ -85,11 +93,19 @@ std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std
     const std::size_t begin = curves.row_at(times[0]);
     const std::size_t end = std::min(curves.rows(), curves.row_at(times[1]) + 1);
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const CurveInfo& curve : plot.curves) {
-        if (!shown(w.plots, plot, curve) || begin >= end) continue;
-        const MinMax part = curves.column(curve.column).range(begin, end);
+    const auto include = [&](const MinMax& part) {
         low = std::min(low, part.low);
         high = std::max(high, part.high);
+    };
+    for (const CurveInfo& curve : plot.curves) {
+        if (!shown(w.plots, plot, curve)) continue;
+        if (begin < end) include(curves.column(curve.column).range(begin, end));
+        const auto column = reference_column(w, curve);
+        if (!column) continue;
+        Curves& other = w.reference->curves;
+        const std::size_t first = other.row_at(times[0]),
+                          last = std::min(other.rows(), other.row_at(times[1]) + 1);
+        if (first < last) include(other.column(*column).range(first, last));
     }
     if (!(low <= high)) return {0, 1};
     if (low > 0 && low < 0.6 * high) low = 0;
@@ -127,18 +143,32 @@ void draw_grid(ImDrawList& ink, const Axes& axes, double time_scale, const Displ
     ink.AddRect(axes.low, axes.high, ImGui::GetColorU32(ImGuiCol_Border));
 }
 
-void draw_curves(Workbench& w, const PlotInfo& plot, const Axes& axes, ImDrawList& ink) {
+void draw_curve(const Curves& curves, const MinMaxPyramid& values, const Axes& axes, ImU32 colour,
+                float width, ImDrawList& ink) {
     static thread_local std::vector<CurvePoint> points;
     static thread_local std::vector<ImVec2> line;
     const int parts = std::max(1, static_cast<int>(axes.high.x - axes.low.x));
+    decimate(curves, values, axes.from, axes.to, parts, points);
+    line.clear();
+    for (const CurvePoint& point : points) line.emplace_back(axes.x(point.time), axes.y(point.value));
+    ink.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width);
+}
+
+void draw_curves(Workbench& w, const PlotInfo& plot, const Axes& axes, ImDrawList& ink) {
     const auto width = static_cast<float>(1.4 * w.screen.scale());
+    constexpr ImU32 faint = IM_COL32(255, 255, 255, 80);
+    for (const CurveInfo& curve : plot.curves) {  // beneath, wide and pale
+        const auto column = reference_column(w, curve);
+        if (!column || !shown(w.plots, plot, curve)) continue;
+        const ImU32 colour = palette[static_cast<std::size_t>(&curve - plot.curves.data()) % palette.size()];
+        draw_curve(w.reference->curves, w.reference->curves.column(*column), axes,
+                   colour & (faint | ~IM_COL32_A_MASK), 2.5F * width, ink);
+    }
     for (std::size_t i = plot.curves.size(); i-- > 0;) {  // the first on top
         const CurveInfo& curve = plot.curves[i];
         if (!shown(w.plots, plot, curve)) continue;
-        decimate(w.plots.curves, w.plots.curves.column(curve.column), axes.from, axes.to, parts, points);
-        line.clear();
-        for (const CurvePoint& point : points) line.emplace_back(axes.x(point.time), axes.y(point.value));
-        ink.AddPolyline(line.data(), static_cast<int>(line.size()), palette[i % palette.size()], 0, width);
+        draw_curve(w.plots.curves, w.plots.curves.column(curve.column), axes, palette[i % palette.size()],
+                   width, ink);
     }
 }
 

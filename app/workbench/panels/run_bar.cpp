@@ -45,6 +45,11 @@ void show_buttons(Workbench& w, const Units& units, double duration) {
     command_button(w, "scene.reload");
     ImGui::SameLine(0, 1.4F * em);
     command_button(w, "view.fit");
+    ImGui::SameLine();
+    const bool kept = w.reference.has_value();
+    if (kept) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    command_button(w, "reference.toggle", kept ? "Drop reference" : "Keep as reference");
+    if (kept) ImGui::PopStyleColor();
     if (!w.run.building()) return;
     ImGui::SameLine(0, 1.4F * em);
     ImGui::AlignTextToFramePadding();

@@ -7,10 +7,13 @@
 #include "image.hpp"
 #include "ui/draw_list_canvas.hpp"
 #include "view/bodies.hpp"
+#include "view/outline.hpp"
 #include "workbench/panels/panel.hpp"
 
 namespace percuss::app {
 namespace {
+
+constexpr render::Colour reference_colour = 0xe0457b;
 
 /// A run was opened, built anew or changed: the picture goes on with its setup.
 void follow_setup(Workbench& w) {
@@ -186,6 +189,9 @@ void show_viewport(Workbench& w, const PanelArea& area) {
                  {1, 0});
     ink.PushClipRect(low, high, true);
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
+    if (w.reference && w.reference->last != v.drawn)
+        render::paint_outline(canvas, *w.reference->last, v.view->plane(), v.view->fit(), v.view->model(),
+                              reference_colour, 1.5 * w.screen.scale());
     v.view->paint(canvas);
     write_time(w, ink, area);
     ink.PopClipRect();

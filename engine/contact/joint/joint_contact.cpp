@@ -13,18 +13,12 @@ namespace {
 /// A row outside the problem may close by this part of the deepest predicted penetration too far.
 constexpr double violation_tolerance = 1e-9;
 
-std::vector<std::int32_t> wall_nodes(const Mesh& mesh) {
-    std::vector<std::int32_t> nodes;
-    for (const Edge& wall : mesh.walls) nodes.insert(nodes.end(), wall.nodes.begin(), wall.nodes.end());
-    return nodes;
-}
-
 }  // namespace
 
 JointContact::JointContact(const Scene& scene, const Mesh& mesh)
-    : recovery_speed_(scene.contact_solver.recovery_speed),
-      listed_(static_cast<std::size_t>(mesh.node_count()), 0),
-      coupling_(mesh.node_count(), wall_nodes(mesh)) {
+    : coupling_(mesh.node_count(), wall_nodes(mesh)),
+      recovery_speed_(scene.contact_solver.recovery_speed),
+      listed_(static_cast<std::size_t>(mesh.node_count()), 0) {
     std::size_t masters = 0;
     for (const ContactPair& pair : scene.contacts) {
         Surface master = make_surface(mesh, pair.master), slave = make_surface(mesh, pair.slave);
@@ -38,7 +32,7 @@ JointContact::JointContact(const Scene& scene, const Mesh& mesh)
     in_problem_.reserve(masters);
     penetration_.reserve(masters);
     force_.reserve(masters);
-    active_.reserve(masters);
+    standing_.reserve(masters);
     coupling_.reserve(masters);
     solver_.reserve(masters, 32 * masters);
 }
@@ -130,18 +124,25 @@ void JointContact::choose_rows() {
 }
 
 void JointContact::solve(PredictedMotion& motion, ContactSolverStatistics& statistics) {
+    assemble(motion);
+    solve_forces(statistics);
+    clear_impulses(motion);
+    add_impulses(motion);
+}
+
+void JointContact::assemble(const PredictedMotion& motion) {
     coupling_.assemble(rows_, chosen_, motion.inverse_mass, motion.dt * motion.kick);
     const std::size_t count = chosen_.size();
     penetration_.resize(count);
     force_.resize(count);
-    active_.assign(count, 1);
-    const auto row_at = [&](std::size_t place) -> ContactRow& {
-        return rows_[static_cast<std::size_t>(chosen_[static_cast<std::size_t>(coupling_.order()[place])])];
-    };
+    standing_.assign(count, BoundedSolver::between);
     for (std::size_t place = 0; place < count; ++place) penetration_[place] = row_at(place).penetration;
+}
+
+void JointContact::solve_forces(ContactSolverStatistics& statistics) {
     for (const Coupling::Group& group : coupling_.groups()) {
         const int rounds =
-            solver_.solve(coupling_.matrix(), penetration_, active_, force_, group.begin, group.end);
+            solver_.solve(coupling_.matrix(), penetration_, standing_, force_, group.begin, group.end);
         ++statistics.problems;
         statistics.iterations += rounds;
         statistics.most_iterations = std::max(statistics.most_iterations, rounds);
@@ -149,44 +150,63 @@ void JointContact::solve(PredictedMotion& motion, ContactSolverStatistics& stati
         statistics.rows += group.end - group.begin;
         statistics.most_rows = std::max(statistics.most_rows, group.end - group.begin);
     }
-    for (std::size_t place = 0; place < count; ++place) row_at(place).force = std::max(0.0, force_[place]);
-    put_impulses(motion);
+    for (std::size_t place = 0; place < chosen_.size(); ++place)
+        row_at(place).force = std::max(0.0, force_[place]);
 }
 
-void JointContact::put_impulses(const PredictedMotion& motion) {
+ContactRow& JointContact::row_at(std::size_t place) {
+    return rows_[static_cast<std::size_t>(chosen_[static_cast<std::size_t>(coupling_.order()[place])])];
+}
+
+void JointContact::clear_impulses(const PredictedMotion& motion) {
     for (const std::int32_t node : *motion.touched)
         motion.impulse[2 * node] = motion.impulse[2 * node + 1] = 0;
-    for (const std::int32_t k : chosen_) {
-        const ContactRow& row = rows_[static_cast<std::size_t>(k)];
-        for (std::size_t slot = 0; slot < 3; ++slot) {
-            const std::int32_t node = row.node[slot];
-            char& listed = listed_[static_cast<std::size_t>(node)];
-            if (!listed) motion.touched->push_back(node);
-            listed = 1;
-            const double share = motion.kick * row.force * row.share[slot];
-            motion.impulse[2 * node] += share * row.normal[0];
-            motion.impulse[2 * node + 1] += share * row.normal[1];
-        }
+}
+
+void JointContact::add_impulses(const PredictedMotion& motion) {
+    for (const std::int32_t k : chosen_) add_impulse(rows_[static_cast<std::size_t>(k)], motion);
+}
+
+void JointContact::add_impulse(const ContactRow& row, const PredictedMotion& motion) {
+    for (std::size_t slot = 0; slot < 3; ++slot) {
+        const std::int32_t node = row.node[slot];
+        char& listed = listed_[static_cast<std::size_t>(node)];
+        if (!listed) motion.touched->push_back(node);
+        listed = 1;
+        const double share = motion.kick * row.force * row.share[slot];
+        motion.impulse[2 * node] += share * row.normal[0];
+        motion.impulse[2 * node + 1] += share * row.normal[1];
     }
+}
+
+/// By how much the impulses so far move a row's master node along the row's normal, away from the slave side,
+/// within the step [length].
+double JointContact::opening(const ContactRow& row, const PredictedMotion& motion) {
+    double change = 0;
+    for (std::size_t slot = 0; slot < 3; ++slot) {
+        const std::int32_t node = row.node[slot];
+        const double *inverse_mass = motion.inverse_mass + 2 * node, *impulse = motion.impulse + 2 * node;
+        change += row.share[slot] * (row.normal[0] * (inverse_mass[0] * impulse[0]) +
+                                     row.normal[1] * (inverse_mass[1] * impulse[1]));
+    }
+    return motion.dt * change;
+}
+
+double JointContact::deepest_penetration() const {
+    double deepest = 0;
+    for (const double p : penetration_) deepest = std::max(deepest, p);
+    return deepest;
 }
 
 /// Adds the rows that the forces found so far would close too far. @returns whether there were any.
 bool JointContact::add_violated(const PredictedMotion& motion) {
     if (chosen_.size() == rows_.size()) return false;
-    const auto velocity_change = [&](std::int32_t node, int d) {
-        return motion.inverse_mass[2 * node + d] * motion.impulse[2 * node + d];
-    };
-    double deepest = 0;
-    for (const double p : penetration_) deepest = std::max(deepest, p);
+    const double deepest = deepest_penetration();
     bool added = false;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         if (in_problem_[k]) continue;
         const ContactRow& row = rows_[k];
-        double change = 0;
-        for (std::size_t slot = 0; slot < 3; ++slot)
-            change += row.share[slot] * (row.normal[0] * velocity_change(row.node[slot], 0) +
-                                         row.normal[1] * velocity_change(row.node[slot], 1));
-        if (row.penetration - motion.dt * change <= violation_tolerance * deepest) continue;
+        if (row.penetration - opening(row, motion) <= violation_tolerance * deepest) continue;
         in_problem_[k] = 1;
         added = true;
     }

@@ -6,7 +6,7 @@
 #include "contact/contact_method.hpp"
 #include "contact/joint/coupling.hpp"
 #include "contact/joint/near_search.hpp"
-#include "contact/solvers/nonnegative.hpp"
+#include "contact/solvers/bounded.hpp"
 
 namespace percuss {
 
@@ -17,7 +17,7 @@ namespace percuss {
 /// stays open there is no force. The answer does not depend on the order of pairs. At the rim of a hole,
 /// where one node belongs to several pairs and rows depend on each other, the rows conflict as equations but
 /// not as inequalities.
-class JointContact final : public ContactMethod {
+class JointContact : public ContactMethod {
   public:
     JointContact(const Scene& scene, const Mesh& mesh);
 
@@ -28,6 +28,28 @@ class JointContact final : public ContactMethod {
     }
     [[nodiscard]] int negative_forces(std::size_t) const override { return 0; }
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
+
+  protected:
+    /// Solves for the forces of the chosen rows and puts their impulses on the nodes.
+    virtual void solve(PredictedMotion& motion, ContactSolverStatistics& statistics);
+
+    // What a solution is made of.
+    void assemble(const PredictedMotion& motion);
+    /// Contact forces for the present penetration_, from the present standing_ of the forces.
+    void solve_forces(ContactSolverStatistics& statistics);
+    static void clear_impulses(const PredictedMotion& motion);
+    void add_impulses(const PredictedMotion& motion);
+    void add_impulse(const ContactRow& row, const PredictedMotion& motion);
+    [[nodiscard]] static double opening(const ContactRow& row, const PredictedMotion& motion);
+    /// The largest of the predicted penetrations in the problem; 0 when there is none [length].
+    [[nodiscard]] double deepest_penetration() const;
+    [[nodiscard]] ContactRow& row_at(std::size_t place);  ///< place in the matrix
+    [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
+
+    std::vector<ContactRow> rows_;      ///< all that could close in the step, pair by pair
+    std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
+    Coupling coupling_;                 ///< of the chosen rows
+    std::vector<double> penetration_;   ///< per place in the matrix: what the forces have to prevent
 
   private:
     /// A surface that pairs share, and the velocities of its nodes in this step.
@@ -46,23 +68,18 @@ class JointContact final : public ContactMethod {
     std::size_t add_surface(const Surface& surface);
     void find(const PredictedMotion& motion);
     void choose_rows();
-    void solve(PredictedMotion& motion, ContactSolverStatistics& statistics);
     [[nodiscard]] bool add_violated(const PredictedMotion& motion);
-    void put_impulses(const PredictedMotion& motion);
     void correct(const PredictedMotion& motion);
     void remember();
 
     double recovery_speed_;
     std::vector<Moving> surfaces_;
     std::vector<Pair> pairs_;
-    std::vector<ContactRow> rows_;
-    std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
-    std::vector<char> in_problem_;      ///< per row
-    std::vector<char> listed_;          ///< per node of the mesh: among the touched ones of this step
-    Coupling coupling_;
-    NonnegativeSolver solver_;
-    std::vector<double> penetration_, force_;  ///< per place in the matrix
-    std::vector<char> active_;
+    std::vector<char> in_problem_;  ///< per row
+    std::vector<char> listed_;      ///< per node of the mesh: among the touched ones of this step
+    BoundedSolver solver_;
+    std::vector<double> force_;  ///< per place in the matrix
+    std::vector<char> standing_;
     double largest_correction_ = 0;  ///< change of velocity by contact in this step [velocity]
 };
 

@@ -43,7 +43,7 @@ void Projection::solve_forces(const PredictedMotion& motion) {
     for (const double c : force_) negative_ += c < 0;
     if (sign_ == ContactSign::restricted && (negative_ > 0 || dependent > 0)) {
         for (std::size_t k = 0; k < rows_.size(); ++k) active_[k] = force_[k] >= 0;
-        nonnegative_.solve(matrix_, penetration_, active_, force_);
+        bounded_.solve(matrix_, penetration_, active_, force_);
     }
     for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k].force = force_[k];
 }

@@ -4,7 +4,7 @@
 
 #include "contact/assembly.hpp"
 #include "contact/scheme.hpp"
-#include "contact/solvers/nonnegative.hpp"
+#include "contact/solvers/bounded.hpp"
 
 namespace percuss {
 
@@ -35,7 +35,7 @@ class Projection final : public PairScheme {
     PenetrationSearch search_;
     ContactSign sign_;
     ContactAssembly assembly_;
-    NonnegativeSolver nonnegative_;
+    BoundedSolver bounded_;
     ProfileCholesky cholesky_;
     std::vector<ContactRow> rows_;
     ProfileMatrix matrix_;

@@ -39,7 +39,7 @@ int ProfileCholesky::factorise(const ProfileMatrix& matrix, std::span<const char
     const double* inverse_pivot = inverse_pivot_.data();
     int dependent = 0;
     for (std::int32_t i = begin; i < end; ++i) {
-        if (!active[static_cast<std::size_t>(i)]) continue;
+        if (active[static_cast<std::size_t>(i)] != 1) continue;
         double* entry = row(i);
         const std::int32_t first = matrix.first(i);
         for (std::int32_t j = first; j < i;

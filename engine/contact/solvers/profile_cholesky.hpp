@@ -60,7 +60,7 @@ class ProfileMatrix {
     std::vector<double> values_;
 };
 
-/// Factors A = L D L^T of the rows that are `active`; the others are left out as if they were not in the
+/// Factors A = L D L^T of the rows whose `active` is 1; the others are left out as if they were not in the
 /// matrix. A row that depends on the rows before it (pivot at most 1e-12 of its diagonal) is left out too and
 /// gets the answer 0.
 class ProfileCholesky {

@@ -6,9 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "live/fuzzy.hpp"
+#include "live/reference.hpp"
 #include "run/history_columns.hpp"
 #include "scene/parse.hpp"
-#include "live/fuzzy.hpp"
 
 namespace percuss::app {
 namespace {
@@ -74,6 +75,26 @@ TEST(Curves, AScenesPlotsHaveTheMainDirectionOpen) {
                 ElementsAre("forces.axial", "velocities.axial", "energies", "step"));
     EXPECT_EQ(columns[plots[0].curves[0].column].name, "contact.impact.axial");
     EXPECT_EQ(plots[0].curves[0].label, "impact");
+}
+
+TEST(Reference, ComparesPeaksUpToTheTimeThatBothHave) {
+    const auto run = [](int rows, double peak) {
+        auto history = std::make_shared<History>(
+            std::vector<HistoryColumn>{{"time", Quantity::time}, {"contact.a.y", Quantity::force}});
+        for (int i = 0; i < rows; ++i)
+            history->append(std::array{0.1 * i, i == 3 ? -peak : i == 8 ? 100.0 : 1.0});
+        return history;
+    };
+    const auto present = run(6, 4), kept = run(10, 5);
+    Curves curves;
+    curves.follow(present);
+    Reference reference{kept, nullptr, {}};
+    reference.follow(present, nullptr);
+    const std::vector<PlotInfo> plots{{"forces.y", "", Quantity::force, {{1, "a"}}}};
+    const auto peaks = peak_differences(plots, present->columns(), curves, reference);
+    ASSERT_EQ(peaks.size(), 1U);
+    EXPECT_EQ(peaks[0].present, -4);
+    EXPECT_EQ(peaks[0].reference, -5) << "the 100 comes later than the present run has got";
 }
 
 TEST(Fuzzy, LettersInOrderClosestFirst) {

@@ -208,6 +208,35 @@ wait builds = 3
     EXPECT_LT(count("dismissed.png", "messages", refusal), 200);
 }
 
+TEST_F(WindowTest, AReferenceLiesBeneathTheNextDesign) {
+    play(R"(
+wait time = 0
+widgets
+until 0.006
+do run.until
+wait time >= 0.006
+wait status = paused
+key B
+expect reference = 1
+frames 2
+screenshot same.png
+set parameters.speed 4
+wait builds = 2
+wait status = finished
+click header.reference
+frames 3
+screenshot compared.png
+key B
+frames 2
+expect reference = 0
+screenshot dropped.png
+)");
+    constexpr unsigned ghost = 0xe0457b;
+    EXPECT_EQ(count("same.png", "viewport", ghost), 0) << "the present run is its own reference";
+    EXPECT_GT(count("compared.png", "viewport", ghost), 200);
+    EXPECT_EQ(count("dropped.png", "viewport", ghost), 0);
+}
+
 TEST_F(WindowTest, NavigationMovesAndZoomsThePicture) {
     play(R"(
 wait time = 0

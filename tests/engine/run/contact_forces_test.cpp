@@ -64,6 +64,24 @@ TEST(ContactAnalysis, PeaksAreOfTheMovingAverageWithTheirTimes) {
     EXPECT_NEAR(analysis.pairs[0].peak[0], 100, 0.5);
 }
 
+TEST(ContactAnalysis, TakesForcesThatDriveBodiesLikeThoseOfPairs) {
+    Scene scene;
+    scene.duration = 1;
+    scene.bodies.resize(2);
+    scene.bodies[0].name = "plate";
+    scene.bodies[1].name = "nail";
+    scene.bodies[1].prescribed.resize(1);
+    History history({{"time", Quantity::time}, {"body.nail.drive.axial", Quantity::force}});
+    for (int k = 0; k <= 1000; ++k)
+        history.append(std::vector<double>{0.001 * k, 4 * std::sin(3.14159265 * 0.001 * k)});
+    const ContactAnalysis analysis = analyse_contacts(scene, history);
+    ASSERT_EQ(analysis.drives.size(), 1U);
+    EXPECT_EQ(analysis.drives[0].name, "nail");
+    EXPECT_NEAR(analysis.drives[0].peak[1], 4, 1e-3);
+    EXPECT_NEAR(analysis.drives[0].peak_time[1], 0.5, 0.01);
+    EXPECT_EQ(analysis.drives[0].peak[0], 0) << "moves freely along it";
+}
+
 TEST(PullOut, IsFrictionTimesTheNormalForcesOfThePairsOfTheBody) {
     Held held;
     const auto all = estimate_pull_out(held.scene, analyse_contacts(held.scene, held.history));

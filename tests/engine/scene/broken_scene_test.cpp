@@ -117,6 +117,10 @@ INSTANTIATE_TEST_SUITE_P(
             "[[contact]]", "[contact_solver]\nscheme = \"joint\"\n[[contact]]\nsign = \"unrestricted\"",
             "36:8: the joint scheme knows no tension; leave 'sign' out, or choose scheme = \"projection\" in "
             "[contact_solver]"},
+        Broken{slave, slave + "\nfriction = 0.2",
+               "37:12: the scheme \"projection\" knows no friction; write scheme = \"joint\" in "
+               "[contact_solver], or leave 'friction' out"},
+        Broken{slave, slave + "\nfriction = -0.2", "37:12: 'friction' is -0.2; it must be >= 0"},
         Broken{"edge = \"top\"", "edge = \"bottom\"",
                "31:8: body 'rod' has no edge 'bottom'; valid: face, right, top, left"},
         Broken{fixed, "fixed = [\"x\"]", "32:9: unknown direction 'x'; valid: radial, axial"},

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/solvers/nonnegative.hpp"
+#include "contact/solvers/bounded.hpp"
 #include "engine/contact/solvers/random_system.hpp"
 
 namespace percuss {
@@ -181,7 +181,7 @@ TEST(Coupling, DependentRowsOfARimAreSolvedWithinTheRegularisation) {
         for (const std::int32_t k : coupling.order())
             p.push_back(rows[static_cast<std::size_t>(k)].penetration);
         std::vector<char> active(3, 1);
-        NonnegativeSolver solver;
+        BoundedSolver solver;
         for (const Coupling::Group& group : coupling.groups())
             solver.solve(coupling.matrix(), p, active, force, group.begin, group.end);
         EXPECT_FALSE(solver.relaxed());

@@ -1,4 +1,4 @@
-#include "contact/solvers/nonnegative.hpp"
+#include "contact/solvers/bounded.hpp"
 
 #include <limits>
 
@@ -50,12 +50,12 @@ Eigen::VectorXd solved(const Dense& a, const Eigen::VectorXd& p, Rng& random) {
     std::vector<char> active(n);
     for (char& flag : active) flag = random.uniform(0, 1) < 0.5;  // the answer does not depend on the start
     std::vector<double> c(n);
-    NonnegativeSolver solver;
+    BoundedSolver solver;
     solver.solve(testing::profile(a), std::span(p.data(), n), active, c);
     return Eigen::Map<Eigen::VectorXd>(c.data(), p.size());
 }
 
-TEST(NonnegativeSolver, FindsTheOnlyActiveSet) {
+TEST(BoundedSolver, FindsTheOnlyActiveSet) {
     Rng random(3);
     for (int round = 0; round < 150; ++round) {
         const int n = 1 + round % 8;
@@ -70,7 +70,7 @@ TEST(NonnegativeSolver, FindsTheOnlyActiveSet) {
 
 // Held master nodes leave no mass of their own in a row: rows that depend on each other and exclude each
 // other as equations, but not as inequalities.
-TEST(NonnegativeSolver, SolvesDependentRowsThatExcludeEachOtherAsEquations) {
+TEST(BoundedSolver, SolvesDependentRowsThatExcludeEachOtherAsEquations) {
     Rng random(4);
     int conflicting = 0;
     for (int round = 0; round < 200; ++round) {
@@ -92,20 +92,20 @@ TEST(NonnegativeSolver, SolvesDependentRowsThatExcludeEachOtherAsEquations) {
 }
 
 // Two rows push one node in opposite directions: no answer exists, forces stay bounded.
-TEST(NonnegativeSolver, KeepsForcesBoundedWhereNoAnswerExists) {
+TEST(BoundedSolver, KeepsForcesBoundedWhereNoAnswerExists) {
     Dense a(2, 2);
     a << 1, -1, -1, 1;
     std::vector<char> active{1, 1};
     const std::vector<double> p{1, 1};
     std::vector<double> c(2);
-    NonnegativeSolver().solve(testing::profile(a), p, active, c);
+    BoundedSolver().solve(testing::profile(a), p, active, c);
     for (const double force : c) {
         EXPECT_GE(force, 0);
         EXPECT_LT(force, 2000);
     }
 }
 
-TEST(NonnegativeSolver, MeetsTheConditionsOnTwoHundredRowsInFewRounds) {
+TEST(BoundedSolver, MeetsTheConditionsOnTwoHundredRowsInFewRounds) {
     Rng random(5);
     int most_rounds = 0;
     for (int round = 0; round < 20; ++round) {
@@ -114,13 +114,69 @@ TEST(NonnegativeSolver, MeetsTheConditionsOnTwoHundredRowsInFewRounds) {
         const std::vector<double> p = random.vector(n, -0.5, 1);
         std::vector<char> active(n, 1);
         std::vector<double> c(n);
-        NonnegativeSolver solver;
+        BoundedSolver solver;
         most_rounds = std::max(most_rounds, solver.solve(matrix, p, active, c));
         EXPECT_LT(violation(dense(matrix), Eigen::Map<const Eigen::VectorXd>(p.data(), n),
                             Eigen::Map<const Eigen::VectorXd>(c.data(), n)),
                   1e-10);
     }
     EXPECT_LE(most_rounds, 20);
+}
+
+/// The answer between -limit and limit by trying all standings; empty when none satisfies the conditions.
+Eigen::VectorXd within_by_brute_force(const Dense& a, const Eigen::VectorXd& p,
+                                      const std::vector<double>& limit) {
+    const auto n = static_cast<std::size_t>(p.size());
+    std::size_t count = 1;
+    for (std::size_t k = 0; k < n; ++k) count *= 3;
+    for (std::size_t code = 0; code < count; ++code) {
+        std::vector<Eigen::Index> free;
+        Eigen::VectorXd c(p.size());
+        std::vector<int> standing(n);
+        for (std::size_t k = 0, rest = code; k < n; ++k, rest /= 3) {
+            standing[k] = static_cast<int>(rest % 3) - 1;
+            c(static_cast<Eigen::Index>(k)) = standing[k] * limit[k];
+            if (standing[k] == 0) free.push_back(static_cast<Eigen::Index>(k));
+        }
+        if (!free.empty()) {
+            const Eigen::VectorXd rest = p - a * c;
+            c(free) = Eigen::VectorXd(Dense(a(free, free)).ldlt().solve(Eigen::VectorXd(rest(free))));
+        }
+        const Eigen::VectorXd gap = a * c - p;
+        bool right = true;
+        for (std::size_t k = 0; k < n; ++k) {
+            const auto i = static_cast<Eigen::Index>(k);
+            right = right && std::abs(c(i)) <= limit[k] + 1e-12 && standing[k] * gap(i) <= 1e-12;
+        }
+        if (right) return c;
+    }
+    return {};
+}
+
+TEST(BoundedSolver, FindsForcesWithinTheirLimits) {
+    Rng random(6);
+    int at_limit = 0, between = 0;
+    for (int round = 0; round < 150; ++round) {
+        const int n = 1 + round % 7;
+        const ProfileMatrix matrix = testing::random_profile(random, n, 1 + round % 3);
+        const std::vector<double> p = random.vector(n, -1, 1), start = random.vector(n, 0, 3);
+        std::vector<double> limit = random.vector(n, 0, 0.5);
+        if (round % 4 == 0) limit[0] = 0;  // nothing presses there
+        std::vector<char> standing;
+        for (const double s : start) standing.push_back(static_cast<char>(s));
+        std::vector<double> c(p.size());
+        BoundedSolver solver;
+        solver.solve_within(limit, matrix, p, standing, c, 0, n);
+        const Eigen::VectorXd expected =
+            within_by_brute_force(dense(matrix), Eigen::Map<const Eigen::VectorXd>(p.data(), n), limit);
+        ASSERT_EQ(expected.size(), n);
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            EXPECT_NEAR(c[k], expected(static_cast<Eigen::Index>(k)), 1e-9) << round;
+            (std::abs(c[k]) < limit[k] ? between : at_limit) += 1;
+        }
+    }
+    EXPECT_GT(at_limit, 100);
+    EXPECT_GT(between, 100);
 }
 
 }  // namespace

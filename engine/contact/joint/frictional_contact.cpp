@@ -1,0 +1,151 @@
+#include "contact/joint/frictional_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace percuss {
+namespace {
+
+/// Friction has settled when it moves no row's node along its normal by more than this part of the deepest
+/// predicted penetration from one round to the next. What is left is taken up by the next step.
+constexpr double settled = 1e-6;
+constexpr int most_rounds = 50;
+
+}  // namespace
+
+FrictionalContact::FrictionalContact(const Scene& scene, const Mesh& mesh)
+    : JointContact(scene, mesh), tangential_(mesh.node_count(), wall_nodes(mesh)) {
+    std::size_t masters = 0;
+    for (const ContactPair& pair : scene.contacts) {
+        pairs_.push_back({pair.friction});
+        if (pair.friction > 0) masters += make_surface(mesh, pair.master).nodes.size();
+    }
+    tangents_.reserve(masters);
+    grips_.reserve(masters);
+    all_.reserve(masters);
+    slip_.reserve(masters);
+    limit_.reserve(masters);
+    friction_.reserve(masters);
+    standing_.reserve(masters);
+    tangential_.reserve(masters);
+    bounded_.reserve(masters, 32 * masters);
+}
+
+std::span<const ContactRow> FrictionalContact::friction_rows(std::size_t pair) const {
+    const Pair& p = pairs_[pair];
+    return std::span(tangents_).subspan(p.tangents_begin, p.tangents_end - p.tangents_begin);
+}
+
+void FrictionalContact::restart(const std::vector<std::vector<std::int32_t>>& active) {
+    JointContact::restart(active);
+    clear_tangents();
+}
+
+void FrictionalContact::clear_tangents() {
+    tangents_.clear();
+    grips_.clear();
+    for (Pair& pair : pairs_) {
+        pair.tangents_begin = pair.tangents_end = 0;
+        pair.sticking = 0;
+    }
+}
+
+void FrictionalContact::solve(PredictedMotion& motion, ContactSolverStatistics& statistics) {
+    assemble(motion);
+    choose_tangents(motion);
+    tangential_.assemble(tangents_, all_, motion.inverse_mass, motion.dt * motion.kick);
+    int round = 0;
+    bool changed = true;
+    while (changed && round < most_rounds) {
+        ++round;
+        solve_forces(statistics);
+        clear_impulses(motion);
+        add_impulses(motion);
+        solve_friction(motion);
+        clear_impulses(motion);
+        for (const ContactRow& tangent : tangents_) add_impulse(tangent, motion);
+        const double deepest = deepest_penetration();
+        changed = meet_friction(motion) > settled * deepest;
+    }
+    add_impulses(motion);
+    count_sticking();
+    ++statistics.friction_solutions;
+    statistics.friction_rounds += round;
+    statistics.most_friction_rounds = std::max(statistics.most_friction_rounds, round);
+    statistics.unsettled += changed;
+}
+
+/// Tangents of the chosen rows, with how far their nodes would slide back in the predicted motion.
+void FrictionalContact::choose_tangents(const PredictedMotion& motion) {
+    clear_tangents();
+    auto k = chosen_.begin();
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        Pair& pair = pairs_[p];
+        pair.tangents_begin = tangents_.size();
+        for (; k != chosen_.end() && static_cast<std::size_t>(*k) < rows_end(p); ++k) {
+            if (pair.friction == 0) continue;
+            ContactRow& tangent = tangents_.emplace_back(rows_[static_cast<std::size_t>(*k)]);
+            tangent.normal = {-tangent.normal[1], tangent.normal[0]};
+            double slip_rate = 0;
+            for (std::size_t slot = 0; slot < 3; ++slot) {
+                const double* v = motion.nodes[tangent.node[slot]].v;
+                slip_rate += tangent.share[slot] * (tangent.normal[0] * v[0] + tangent.normal[1] * v[1]);
+            }
+            tangent.penetration = -motion.dt * slip_rate;
+            tangent.force = 0;
+            grips_.push_back({pair.friction, *k, false});
+        }
+        pair.tangents_end = tangents_.size();
+    }
+    all_.resize(tangents_.size());
+    std::iota(all_.begin(), all_.end(), 0);
+    standing_.assign(tangents_.size(), BoundedSolver::between);
+}
+
+/// Friction forces for the present contact forces, whose impulses are on the nodes.
+void FrictionalContact::solve_friction(const PredictedMotion& motion) {
+    const std::size_t count = tangents_.size();
+    slip_.resize(count);
+    limit_.resize(count);
+    friction_.resize(count);
+    const auto tangent_at = [&](std::size_t place) {
+        return static_cast<std::size_t>(tangential_.order()[place]);
+    };
+    for (std::size_t place = 0; place < count; ++place) {
+        const std::size_t t = tangent_at(place);
+        slip_[place] = tangents_[t].penetration - opening(tangents_[t], motion);
+        limit_[place] = grips_[t].friction * rows_[static_cast<std::size_t>(grips_[t].row)].force;
+    }
+    for (const Coupling::Group& group : tangential_.groups())
+        bounded_.solve_within(limit_, tangential_.matrix(), slip_, standing_, friction_, group.begin,
+                              group.end);
+    for (std::size_t place = 0; place < count; ++place) {
+        const std::size_t t = tangent_at(place);
+        tangents_[t].force = friction_[place];
+        grips_[t].sticks = limit_[place] > 0 && standing_[place] == BoundedSolver::between;
+    }
+}
+
+/// What the contact forces have to prevent beside the friction forces, whose impulses are on the nodes.
+/// @returns largest change of it [length].
+double FrictionalContact::meet_friction(const PredictedMotion& motion) {
+    double most = 0;
+    for (std::size_t place = 0; place < chosen_.size(); ++place) {
+        const ContactRow& row = row_at(place);
+        const double penetration = row.penetration - opening(row, motion);
+        most = std::max(most, std::abs(penetration - penetration_[place]));
+        penetration_[place] = penetration;
+    }
+    return most;
+}
+
+void FrictionalContact::count_sticking() {
+    for (Pair& pair : pairs_) {
+        pair.sticking = 0;
+        for (std::size_t t = pair.tangents_begin; t < pair.tangents_end; ++t)
+            pair.sticking += grips_[t].sticks;
+    }
+}
+
+}  // namespace percuss
