@@ -112,11 +112,11 @@ void add_view(CLI::App& app, Job& job) {
     auto options = std::make_shared<ViewCommand>();
     CLI::App& command =
         *app.add_subcommand("view", "Open a window on a scene that runs: picture, plots, sliders");
-    command.footer(
-        "In the window F1 lists all keys and commands. A script is a text file, one event a line:\n" +
-        script_help() +
-        "Its screenshots and expectations are the same in a window and with --headless; exit "
-        "status 1 when\nan expectation does not hold.");
+    command.footer(fmt::format(
+        "In the window F1 lists all keys and commands. A script is a text file, one event a line:\n{}"
+        "NAME is one of {}.\nIts screenshots and expectations are the same in a window and with "
+        "--headless; exit status 1 when\nan expectation does not hold.",
+        script_help(), fmt::join(Workbench::value_names(), ", ")));
     command.add_option("SCENE", options->scene,
                        "scene file, e.g. scenes/nail.toml; without one the window asks for it");
     command.add_option("--set", options->overrides, "override a value of the scene; may be repeated")

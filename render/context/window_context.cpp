@@ -11,7 +11,9 @@ namespace {
 std::string last_glfw_error() {
     const char* text = nullptr;
     glfwGetError(&text);
-    return text != nullptr ? text : "no reason given";
+    std::string reason = text != nullptr ? text : "no reason given";
+    while (reason.ends_with(' ')) reason.pop_back();
+    return reason;
 }
 
 class GlfwContext final : public WindowContext {

@@ -24,12 +24,13 @@ void show_reference(Workbench& w) {
     for (const char* heading : {"", "now", "reference", "%"}) ImGui::TableSetupColumn(heading);
     ImGui::TableHeadersRow();
     for (const PeakDifference& peak : differences) {
-        const double change = 100 * (peak.present - peak.reference) / std::abs(peak.reference);
+        // Of the magnitude: a force of compression that grows, grows.
+        const double change = 100 * (std::abs(peak.present) / std::abs(peak.reference) - 1);
         ImGui::TableNextRow();
         for (const std::string& text :
              {peak.label, quantity_text(units, peak.quantity, peak.present),
               quantity_text(units, peak.quantity, peak.reference),
-              std::isfinite(change) ? fmt::format("{:+.1f}", change) : std::string()}) {
+              std::isfinite(change) ? fmt::format("{:+.{}f}", change, std::abs(change) < 10 ? 1 : 0) : std::string()}) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(text.c_str());
         }

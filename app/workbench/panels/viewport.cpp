@@ -13,7 +13,7 @@
 namespace percuss::app {
 namespace {
 
-constexpr render::Colour reference_colour = 0xe0457b;
+constexpr render::Colour reference_colour = 0x3aa0ff;  // told from arrows and from viridis
 
 /// A run was opened, built anew or changed: the picture goes on with its setup.
 void follow_setup(Workbench& w) {
