@@ -6,6 +6,7 @@ Session::Session(Scene scene, double frame_interval, int threads) {
     EngineOptions options;
     options.threads = threads;
     options.frame_interval = frame_interval;
+    options.state_memory = options.frame_memory = 0;  // nobody goes back
     options.on_frame = [this](std::shared_ptr<const Snapshot> frame) { frames_.push(std::move(frame)); };
     engine_ = std::make_unique<Engine>(std::move(scene), std::move(options));
 }

@@ -24,6 +24,9 @@ std::vector<EffectInfo> effects_of(const Scene& scene) {
                        "about 560 flops and 96 bytes of state an element"});
     effects.push_back({"triangles", any_of_kind(ElementKind::triangle),
                        "about 130 flops and 24 bytes of state an element"});
+    effects.push_back(
+        {"averaged triangles", any_of_kind(ElementKind::triangle_averaged),
+         "about 145 flops and 44 bytes an element, 12 flops and 44 bytes a node; two more passes a step"});
     effects.push_back({"bulk viscosity", any_body([&](const Body& body) {
                            return std::any_of(scene.materials.begin(), scene.materials.end(),
                                               [&](const Material& m) {

@@ -48,6 +48,8 @@ Solver::Solver(Scene scene, int threads)
     scale_ = s.geometry == Geometry::axisymmetric ? 2 * std::numbers::pi : s.thickness;
     for (std::size_t body = 0; body < s.bodies.size(); ++body)
         batches_.push_back(make_batch(s, setup_->mesh, static_cast<std::int32_t>(body), imposed_.held));
+    averages_volumes_ = std::any_of(batches_.begin(), batches_.end(),
+                                    [](const Batch& batch) { return batch.kernel.volumes != nullptr; });
     build_nodes();
     build_chunks();
     contact_ = make_contact_method(s, setup_->mesh);
@@ -366,7 +368,12 @@ double Solver::strain_energy_error() const {
 SolverState Solver::save() const {
     SolverState state = state_;
     state.statistics = statistics_;
-    for (const Pair& pair : pairs_) state.active.push_back(pair.active);
+    state.step_size = step_size_;
+    for (const Pair& pair : pairs_) {
+        state.active.push_back(pair.active);
+        state.pairs.push_back(pair.state);
+    }
+    if (contact_) state.contact = contact_->copy();
     for (const Batch& batch : batches_) {
         state.element_state.push_back(batch.state);
         state.corner_force.push_back(batch.force);
@@ -383,14 +390,19 @@ void Solver::restore(const SolverState& state) {
     const PhaseSeconds spent = statistics_.seconds;  // wall time does not go back
     statistics_ = state.statistics;
     statistics_.seconds = spent;
+    step_size_ = state.step_size;
     state_ = state;
     state_.element_state.clear();
     state_.corner_force.clear();
     state_.active.clear();
-    if (contact_) contact_->restart(state.active);
+    state_.pairs.clear();
+    state_.contact.reset();
+    if (contact_ && state.contact) contact_->become(*state.contact);
+    if (contact_ && !state.contact) contact_->restart(state.active);
+    average_nodal_volumes(setup_->scene.lagged ? state_.lagged_nodes.data() : state_.nodes.data());
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
-        pair.state = {};
+        pair.state = state.contact ? state.pairs[p] : PairState{};
         pair.active = state.active[p];
         std::fill(pair.flags.begin(), pair.flags.end(), char{0});
         for (const std::int32_t master : pair.active) pair.flags[static_cast<std::size_t>(master)] = 1;

@@ -28,6 +28,11 @@ struct SolverState {
     Ledger ledger;
     RunStatistics statistics;                       ///< filled by save()
     std::vector<std::vector<std::int32_t>> active;  ///< per pair: master nodes in contact; filled by save()
+    std::vector<PairState> pairs;                   ///< of the last step; filled by save()
+    /// What contact remembers between steps; filled by save(). Whoever changes positions resets it: restore()
+    /// then lets contact begin anew.
+    std::shared_ptr<const ContactMethod> contact;
+    StepSize step_size;  ///< the control in force; filled by save()
     double time = 0, dt = 0, critical_step = 0;
     std::int64_t step = 0, next_critical_step = 0;
 };
@@ -112,6 +117,7 @@ class Solver {
     void impose_velocities(NodeSums& sums);
     void stresses_at_predicted_positions();
     void integrate_elements(const Node* nodes);
+    void average_nodal_volumes(const Node* nodes);
     void evaluate_critical_step();
     void start_half_step_early();
     void account_external_impulse();
@@ -177,6 +183,7 @@ class Solver {
     std::vector<double> row_;
     RunStatistics statistics_;
     double kick_ = 0;
+    bool averages_volumes_ = false;  // there are averaged triangles
 };
 
 }  // namespace percuss

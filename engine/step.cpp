@@ -83,6 +83,7 @@ std::optional<Divergence> Solver::choose_step() {
 
 void Solver::evaluate_critical_step() {
     const Node* nodes = state_.nodes.data();
+    average_nodal_volumes(nodes);
     std::fill(highest_.begin(), highest_.end(), 0.0);
     team_.run([&](int part) {
         const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
@@ -145,7 +146,7 @@ void Solver::start_half_step_early() {
     if (loads_.none()) return;
     Ledger& ledger = state_.ledger;
     ledger.initial_kinetic = 0;
-    for (std::size_t n = 0; n < mass_.size(); ++n) {
+    for (std::size_t n = 0; n < body_of_node_.size(); ++n) {  // not the nodes of walls
         for (std::size_t d = 0; d < 2; ++d) {
             double& v = state_.nodes[n].v[d];
             const double change = -0.5 * kick_ * inverse_mass_[2 * n + d] * external_[2 * n + d];
@@ -484,7 +485,29 @@ std::optional<Divergence> Solver::internal_forces() {
     return std::nullopt;
 }
 
+/// Averaged triangles: volumes of the elements, then of the nodes, before any of their forces.
+void Solver::average_nodal_volumes(const Node* nodes) {
+    if (!averages_volumes_) return;
+    team_.run([&](int part) {
+        const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
+        for (std::size_t k = begin; k < end; ++k) {
+            const ElementChunk& chunk = element_chunks_[k];
+            Batch& batch = batches_[static_cast<std::size_t>(chunk.batch)];
+            if (batch.kernel.volumes) batch.kernel.volumes(batch, nodes, chunk.begin, chunk.end);
+        }
+    });
+    team_.run([&](int part) {
+        const auto [begin, end] = share_of(node_chunks_.size(), part, team_.size());
+        for (std::size_t k = begin; k < end; ++k) {
+            const NodeChunk& chunk = node_chunks_[k];
+            Batch& batch = batches_[static_cast<std::size_t>(chunk.body)];
+            if (batch.kernel.volumes) sum_nodal_volumes(batch, chunk.begin, chunk.end);
+        }
+    });
+}
+
 void Solver::integrate_elements(const Node* nodes) {
+    average_nodal_volumes(nodes);
     team_.run([&](int part) {
         const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
         for (std::size_t k = begin; k < end; ++k) {

@@ -35,6 +35,8 @@ std::string_view kind_name(ElementKind kind) {
             return "mean-dilatation quads";
         case ElementKind::triangle:
             return "triangles";
+        case ElementKind::triangle_averaged:
+            return "averaged triangles";
     }
     return "";
 }

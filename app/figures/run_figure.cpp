@@ -159,9 +159,14 @@ std::string column_title(const std::string& column) {
     if (first == last) return column;
     const std::string name = column.substr(first + 1, column.find('.', first + 1) - first - 1);
     const std::string rest = column.substr(first + 1 + name.size() + 1);
-    if (kind == "contact" && rest == "axial") return fmt::format("contact force of {}, axial", name);
-    if (kind == "contact" && rest == "radial") return fmt::format("contact force of {}, radial", name);
+    const bool direction = leaf == "axial" || leaf == "radial" || leaf == "x" || leaf == "y";
+    if (kind == "contact" && rest == leaf && direction)
+        return fmt::format("contact force of {}, {}", name, leaf);
+    if (kind == "contact" && rest.starts_with("friction."))
+        return fmt::format("friction of {}, {}", name, leaf);
     if (kind == "body" && rest.starts_with("velocity.")) return fmt::format("{} velocity of {}", leaf, name);
+    if (kind == "body" && rest.starts_with("drive."))
+        return fmt::format("{} force that drives {}", leaf, name);
     if (kind == "probe" && rest.starts_with("stress.")) return fmt::format("{} stress at {}", leaf, name);
     return column;
 }

@@ -30,6 +30,10 @@ class ContactMethod {
     [[nodiscard]] virtual double penetration(std::size_t pair, const Node* nodes) const = 0;
     /// Rows of a pair whose unrestricted force came out negative in this step.
     [[nodiscard]] virtual int negative_forces(std::size_t pair) const = 0;
+    /// A copy with all that is remembered between steps.
+    [[nodiscard]] virtual std::unique_ptr<ContactMethod> copy() const = 0;
+    /// Goes on as `other` would, bit by bit. @pre `other` is a copy() of a method for the same scene.
+    virtual void become(const ContactMethod& other) = 0;
     /// Positions were changed from outside: forgets what was remembered between steps, but for the master
     /// nodes of each pair that had force in the last one.
     virtual void restart(const std::vector<std::vector<std::int32_t>>& active) = 0;

@@ -18,6 +18,17 @@ void PairByPair::resolve(PredictedMotion& motion, RunStatistics& statistics) {
     }
 }
 
+std::unique_ptr<ContactMethod> PairByPair::copy() const {
+    std::unique_ptr<PairByPair> method(new PairByPair);
+    for (const auto& pair : pairs_) method->pairs_.push_back(pair->copy());
+    return method;
+}
+
+void PairByPair::become(const ContactMethod& other) {
+    const auto& method = dynamic_cast<const PairByPair&>(other);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) pairs_[p]->become(*method.pairs_[p]);
+}
+
 void PairByPair::restart(const std::vector<std::vector<std::int32_t>>&) {
     for (auto& pair : pairs_) pair->forget();
 }

@@ -25,9 +25,12 @@ class PairByPair final : public ContactMethod {
     [[nodiscard]] int negative_forces(std::size_t pair) const override {
         return pairs_[pair]->negative_forces();
     }
+    [[nodiscard]] std::unique_ptr<ContactMethod> copy() const override;
+    void become(const ContactMethod& other) override;
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
 
   private:
+    PairByPair() = default;
     std::vector<std::unique_ptr<PairScheme>> pairs_;
 };
 

@@ -25,6 +25,10 @@ class PairScheme {
     [[nodiscard]] virtual double penetration_left(const Node* nodes) const = 0;
     /// Rows whose unrestricted force came out negative in this step.
     [[nodiscard]] virtual int negative_forces() const = 0;
+    /// A copy with all that is remembered between steps.
+    [[nodiscard]] virtual std::unique_ptr<PairScheme> copy() const = 0;
+    /// Goes on as `other` would, bit by bit. @pre `other` is a copy() of a scheme for the same pair.
+    virtual void become(const PairScheme& other) = 0;
     /// Positions were changed from outside: forget what was remembered between steps.
     virtual void forget() = 0;
 };

@@ -28,6 +28,7 @@ double Solver::critical_step_by_power_iteration(int most_iterations) const {
                 }
             for (Batch& batch : batches) {
                 reset_state(batch);
+                average_volumes(batch, nodes.data());
                 batch.kernel.forces(batch, nodes.data(), 1.0, 0, batch.blocks(), sums);
                 for (std::int32_t element = 0; element < batch.count; ++element)
                     for (int corner = 0; corner < batch.corners; ++corner) {

@@ -71,11 +71,15 @@ std::array<double, 3> initial_law_state(const Plasticity& plasticity) {
 
 struct MeanState {
     double ratio;                 // J
+    double volumetric;            // energy of the bulk law per initial volume
     double pressure;              // mean stress of the bulk law
     double m, d, s;               // averaged deviator, Cauchy
     double deviator_square;       // volume average of tau:tau, Kirchhoff
     std::array<double, 3> law{};  // plastic laws: strain, yield stress, temperature
 };
+
+/// U(J), see mean_stress_of_volume.
+double volumetric_energy(double bulk, double ratio) { return 0.5 * bulk * (ratio - 1) * (ratio - 1) / ratio; }
 
 MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element) {
     const int block = element / block_lanes, lane = element % block_lanes;
@@ -90,7 +94,18 @@ MeanState mean_state(const Batch& batch, const Node* nodes, std::int32_t element
     const double initial = batch.volume[static_cast<std::size_t>(block * block_lanes + lane)];
     const double ratio = cell_volume(cell, nodes, batch.geometry) / initial;
 
-    MeanState mean{ratio, 0.5 * batch.material.bulk * (1 - 1 / (ratio * ratio)), 0, 0, 0, 0, {}};
+    const double bulk = batch.material.bulk;
+    MeanState mean{ratio, volumetric_energy(bulk, ratio), 0.5 * bulk * (1 - 1 / (ratio * ratio)), 0, 0, 0, 0,
+                   {}};
+    if (batch.kind == ElementKind::triangle_averaged) {
+        mean.volumetric = mean.pressure = 0;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const NodalVolume& node =
+                batch.shared.nodes[static_cast<std::size_t>(cell[corner] - batch.shared.node_begin)];
+            mean.volumetric += volumetric_energy(bulk, node.ratio) / 3;
+            mean.pressure += node.stress / 3;
+        }
+    }
     const auto add = [&](int point, double share) {
         const int first = 3 * point;
         for (int k = 0; k < batch.kernel.law_size; ++k)
@@ -153,7 +168,7 @@ double cell_volume(const Cell& cell, const Node* nodes, Geometry geometry) {
 bool is_inverted(const Cell& cell, const Node* nodes, ElementKind kind, Geometry geometry) {
     if (!(cell_volume(cell, nodes, geometry) > 0)) return true;
     const auto at = [&](std::size_t i) { return Vec2(nodes[cell[i]].x[0], nodes[cell[i]].x[1]); };
-    if (kind == ElementKind::triangle) return !(triangle_area(at(0), at(1), at(2)) > 0);
+    if (is_triangle(kind)) return !(triangle_area(at(0), at(1), at(2)) > 0);
     if (kind == ElementKind::quad_one_point)
         return !(triangle_area(at(0), at(1), at(2)) + triangle_area(at(0), at(2), at(3)) > 0);
     bool inverted = false;
@@ -174,7 +189,7 @@ Batch make_batch(const Scene& scene, const Mesh& mesh, std::int32_t body,
     batch.geometry = scene.geometry;
     batch.cell_begin = part.cell_begin;
     batch.count = part.cell_end - part.cell_begin;
-    batch.corners = part.kind == ElementKind::triangle ? 3 : 4;
+    batch.corners = is_triangle(part.kind) ? 3 : 4;
     batch.material = elastic_constants(*material, definition, scene.geometry);
     batch.kernel =
         find_kernel({batch.kind, batch.geometry, definition.hourglass > 0, material->viscosity.has_value(),
@@ -204,6 +219,7 @@ Batch make_batch(const Scene& scene, const Mesh& mesh, std::int32_t body,
         }
         batch.volume[block * block_lanes + lane] = volume;
     }
+    if (batch.kernel.volumes) build_nodal_volumes(batch, part.node_begin, part.node_end);
     return batch;
 }
 
@@ -239,8 +255,7 @@ double stored_energy(const Batch& batch, const Node* nodes, std::int32_t element
     const MeanState s = mean_state(batch, nodes, element);
     const int block = element / block_lanes, lane = element % block_lanes;
     const double initial = batch.volume[static_cast<std::size_t>(block * block_lanes + lane)];
-    const double volumetric = 0.5 * batch.material.bulk * (s.ratio - 1) * (s.ratio - 1) / s.ratio;
-    return initial * (volumetric + s.deviator_square / (4 * batch.material.shear));
+    return initial * (s.volumetric + s.deviator_square / (4 * batch.material.shear));
 }
 
 }  // namespace percuss

@@ -5,6 +5,7 @@
 
 #include "aligned.hpp"
 #include "dynamics/node.hpp"
+#include "elements/nodal_volume.hpp"
 #include "scene/scene.hpp"
 
 namespace percuss {
@@ -37,6 +38,8 @@ using ForceKernel = void (*)(Batch& batch, const Node* nodes, double dt, int beg
 /// Upper bound of the largest squared circular frequency [1/time^2] of the elements in blocks [begin, end), viscosity
 /// accounted for, so that 2 / sqrt(bound) is a stable step.
 using FrequencyKernel = double (*)(const Batch& batch, const Node* nodes, int begin, int end);
+/// Writes the present volumes of blocks [begin, end) to `batch.shared`, for its nodes to sum up.
+using VolumeKernel = void (*)(Batch& batch, const Node* nodes, int begin, int end);
 
 /// What the kernels need of an element kind.
 struct KernelSet {
@@ -46,6 +49,8 @@ struct KernelSet {
     int points = 1;      ///< integration points per element
     int law_begin = 0;   ///< first component of the law's own state, at the end of the state: [point][law_size]
     int law_size = 0;    ///< doubles of it per point; plastic laws: equivalent plastic strain, yield stress, temperature
+    VolumeKernel volumes = nullptr;  ///< averaged triangles only: comes before the other two
+    int volume_components = 0;       ///< doubles of `shared.elements` per element
 };
 
 /// All elements of one body: one element kind, one material, one geometry, contiguous storage.
@@ -65,6 +70,7 @@ struct Batch {
     AlignedVector<double> state;               ///< [block][component][lane]
     AlignedVector<double> force;               ///< internal corner forces, per radian: [block][corner][lane][2]
     Plasticity plasticity;
+    NodalVolumes shared;  ///< averaged triangles only
 
     [[nodiscard]] int blocks() const { return (count + block_lanes - 1) / block_lanes; }
     [[nodiscard]] int filled(int block) const {

@@ -67,8 +67,10 @@ template <class Real, Geometry geometry>
 struct Moduli {
     Real direct, lateral, shear;
 
-    [[gnu::always_inline]] Moduli(const ElasticConstants& material, Real ratio) {
-        const Real bulk = material.bulk / (ratio * ratio);
+    [[gnu::always_inline]] Moduli(const ElasticConstants& material, Real ratio)
+        : Moduli(material, ratio, material.bulk / (ratio * ratio)) {}
+
+    [[gnu::always_inline]] Moduli(const ElasticConstants& material, Real ratio, Real bulk) {
         constexpr double share = geometry == Geometry::plane_stress ? 1.0 : 2.0 / 3.0;
         shear = material.shear / ratio;
         lateral = bulk - share * shear;
@@ -214,7 +216,11 @@ struct QuadOnePointFrequency {
     }
 };
 
-template <Geometry geometry, bool viscous>
+/// Averaged triangles: a node's volume changes by a mean over its elements, and the square of a mean is not
+/// above the mean of squares (Jensen). So the nodes' energy of volume, and likewise the power of their
+/// viscosity, is bounded by a sum over elements whose modulus and damping are means over their nodes: V_e U''
+/// = V_e K mean(1/J_a^3).
+template <Geometry geometry, bool viscous, bool averaged>
 struct TriangleFrequency {
     template <class Real>
     [[gnu::always_inline]] static Real bound(const Batch& batch, const Node* nodes, int block, int lane) {
@@ -235,10 +241,24 @@ struct TriangleFrequency {
         load_masses(batch, block, lane, mx, my);
         const Real initial =
             load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
-        const Moduli<Real, geometry> moduli(batch.material, Real(volume / initial));
+        const Real ratio = volume / initial;
+        Moduli<Real, geometry> moduli(batch.material, ratio);
+        Real damping = none;
+        if constexpr (averaged) {
+            const auto shared = mean_nodal_volume<Real>(batch.shared, index);
+            moduli = {batch.material, ratio, Real(batch.material.bulk * ratio * shared.inverse_ratio_cubed)};
+            damping = shared.damping;
+        }
         Real omega2 =
             strain_space_bound<Real, geometry, 3, false>(bx, by, hoop, gamma, mx, my, volume, none, moduli);
-        if constexpr (viscous) {
+        if constexpr (viscous && averaged) {
+            Real volumetric = none;
+            for (int i = 0; i < 3; ++i) {
+                const Real radial = bx[i] + hoop[i];
+                volumetric += radial * radial * mx[i] + by[i] * by[i] * my[i];
+            }
+            omega2 = damped(omega2, Real(damping * volumetric / volume));
+        } else if constexpr (viscous) {
             Real volumetric = none, rate = none;
             const Real vx[3] = {n1.vx, n2.vx, n3.vx}, vy[3] = {n1.vy, n2.vy, n3.vy};
             for (int i = 0; i < 3; ++i) {

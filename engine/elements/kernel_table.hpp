@@ -44,10 +44,35 @@ double run_frequency(const Batch& batch, const Node* nodes, int begin, int end) 
     return highest;
 }
 
+template <class Volume, class Real>
+void run_volumes(Batch& batch, const Node* nodes, int begin, int end) {
+    for (int block = begin; block < end; ++block) {
+        const int filled = batch.filled(block);
+        if (filled == block_lanes) {
+            for (int lane = 0; lane < block_lanes; lane += lanes_of<Real>)
+                Volume::template update<Real>(batch, nodes, block, lane);
+        } else {
+            for (int lane = 0; lane < filled; ++lane)
+                Volume::template update<double>(batch, nodes, block, lane);
+        }
+    }
+}
+
 template <class Element, class Frequency, class Real>
 KernelSet kernel_set() {
     return {&run_forces<Element, Real>, &run_frequency<Frequency, Real>, Element::state_size,
             Element::points,            Element::law_begin,              (Element::state_size - Element::law_begin) / Element::points};
+}
+
+template <class Law, class Real, Geometry geometry, bool viscous, bool averaged>
+KernelSet triangle_set() {
+    KernelSet set = kernel_set<Triangle<Law, geometry, viscous, averaged>,
+                               TriangleFrequency<geometry, viscous, averaged>, Real>();
+    if constexpr (averaged) {
+        set.volumes = &run_volumes<TriangleVolume<geometry, viscous>, Real>;
+        set.volume_components = TriangleVolume<geometry, viscous>::components;
+    }
+    return set;
 }
 
 template <class Law, class Real, Geometry geometry, bool viscous>
@@ -55,8 +80,9 @@ KernelSet kernel_of_kind(const KernelChoice& choice) {
     if (choice.kind == ElementKind::quad_mean_dilatation)
         return kernel_set<QuadMeanDilatation<Law, geometry, viscous>, QuadMeanDilatationFrequency<geometry, viscous>,
                           Real>();
-    if (choice.kind == ElementKind::triangle)
-        return kernel_set<Triangle<Law, geometry, viscous>, TriangleFrequency<geometry, viscous>, Real>();
+    if (choice.kind == ElementKind::triangle) return triangle_set<Law, Real, geometry, viscous, false>();
+    if (choice.kind == ElementKind::triangle_averaged)
+        return triangle_set<Law, Real, geometry, viscous, true>();
     if (choice.hourglass)
         return kernel_set<QuadOnePoint<Law, geometry, true, viscous>, QuadOnePointFrequency<geometry, true, viscous>,
                           Real>();

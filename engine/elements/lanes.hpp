@@ -57,16 +57,18 @@ struct CornerMotion {
     Real x, y, vx, vy;
 };
 
+/// Rows of four doubles, base[4 (index - first)], one a lane.
 template <class Real>
-[[gnu::always_inline]] inline CornerMotion<Real> gather(const Node* nodes, const std::int32_t* index) {
-    static_assert(sizeof(Node) == sizeof(Double4));
-    const auto* base = reinterpret_cast<const double*>(nodes);
+[[gnu::always_inline]] inline CornerMotion<Real> gather_rows(const double* base, const std::int32_t* index,
+                                                             std::int32_t first) {
     if constexpr (lanes_of<Real> == 1) {
-        const double* n = base + 4 * static_cast<std::size_t>(*index);
+        const double* n = base + 4 * static_cast<std::size_t>(*index - first);
         return {n[0], n[1], n[2], n[3]};
     } else if constexpr (lanes_of<Real> == 4) {
         // One 32-byte load a node, then a 4 x 4 transposition.
-        const auto node = [&](int lane) { return load<Double4>(base + 4 * static_cast<std::size_t>(index[lane])); };
+        const auto node = [&](int lane) {
+            return load<Double4>(base + 4 * static_cast<std::size_t>(index[lane] - first));
+        };
         const Double4 n0 = node(0), n1 = node(1), n2 = node(2), n3 = node(3);
         const Double4 x01 = __builtin_shufflevector(n0, n1, 0, 4, 2, 6);
         const Double4 y01 = __builtin_shufflevector(n0, n1, 1, 5, 3, 7);
@@ -75,13 +77,40 @@ template <class Real>
         return {__builtin_shufflevector(x01, x23, 0, 1, 4, 5), __builtin_shufflevector(y01, y23, 0, 1, 4, 5),
                 __builtin_shufflevector(x01, x23, 2, 3, 6, 7), __builtin_shufflevector(y01, y23, 2, 3, 6, 7)};
     } else {
-        const auto low = gather<Double4>(nodes, index);
-        const auto high = gather<Double4>(nodes, index + 4);
+        const auto low = gather_rows<Double4>(base, index, first);
+        const auto high = gather_rows<Double4>(base, index + 4, first);
         const auto join = [](Double4 a, Double4 b) {
             return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
         };
         return {join(low.x, high.x), join(low.y, high.y), join(low.vx, high.vx), join(low.vy, high.vy)};
     }
+}
+
+template <class Real>
+[[gnu::always_inline]] inline CornerMotion<Real> gather(const Node* nodes, const std::int32_t* index) {
+    static_assert(sizeof(Node) == sizeof(Double4));
+    return gather_rows<Real>(reinterpret_cast<const double*>(nodes), index, 0);
+}
+
+/// NodalVolume of the three corners, mean over them.
+template <class Real>
+struct MeanNodalVolume {
+    Real stress, viscous, damping;
+    Real inverse_ratio_cubed;  ///< mean of 1/J^3, the slope of the bulk law over K
+};
+
+template <class Real>
+[[gnu::always_inline]] inline MeanNodalVolume<Real> mean_nodal_volume(const NodalVolumes& shared,
+                                                                      const std::int32_t* index) {
+    static_assert(sizeof(NodalVolume) == sizeof(Double4));
+    const auto* base = reinterpret_cast<const double*>(shared.nodes.data());
+    const auto a = gather_rows<Real>(base, index, shared.node_begin);
+    const auto b = gather_rows<Real>(base, index + block_lanes, shared.node_begin);
+    const auto c = gather_rows<Real>(base, index + 2 * block_lanes, shared.node_begin);
+    constexpr double third = 1.0 / 3.0;
+    const auto slope = [](Real ratio) { return 1.0 / (ratio * ratio * ratio); };
+    return {third * (a.y + b.y + c.y), third * (a.vx + b.vx + c.vx), third * (a.vy + b.vy + c.vy),
+            third * (slope(a.x) + slope(b.x) + slope(c.x))};
 }
 
 /// Writes corner forces as (fx, fy) pairs, lane after lane, so that a node gathers each pair with one load.

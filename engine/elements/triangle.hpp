@@ -5,7 +5,9 @@
 namespace percuss::PERCUSS_ISA {
 
 /// Three-node triangle with constant strain; ring integrals are exact (A r_mean, and A/3 for each hoop row).
-template <class Law, Geometry geometry, bool viscous>
+/// @tparam averaged mean stress and bulk viscosity come from its nodes, see NodalVolumes; a triangle by
+/// itself locks where the volume is kept.
+template <class Law, Geometry geometry, bool viscous, bool averaged>
 struct Triangle {
     static constexpr int corners = 3;
     static constexpr int points = 1;
@@ -59,10 +61,18 @@ struct Triangle {
         store(state + 2 * block_lanes, s.s);
         const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
         const Real inverse_ratio = initial_volume / volume;
-        Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
+        Real mean, q;
+        if constexpr (averaged) {
+            const auto shared = mean_nodal_volume<Real>(batch.shared, index);
+            mean = shared.stress;
+            q = shared.viscous;
+        } else {
+            mean = mean_stress_of_volume(inverse_ratio, material.bulk);
+            if constexpr (viscous)
+                q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio,
+                                         square_root(Real(0.5 * twice_area)), dt, material);
+        }
         if constexpr (viscous) {
-            const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio,
-                                                square_root(Real(0.5 * twice_area)), dt, material);
             add_to(sums.viscous + lane,
                    viscous_work<Real>(state + 3 * block_lanes, q, strain.trace * volume));
             mean -= q;
@@ -80,6 +90,35 @@ struct Triangle {
         store_pairs(force + 4 * block_lanes, Real(hoop + f3x), f3y);
         const Real none = 0.0 * volume, one = none + 1.0;
         add_to(sums.inverted + lane, Real((twice_area > 0.0) & (volume > 0.0) ? none : one));
+    }
+};
+
+/// Volumes of averaged triangles; with viscosity also their rates [volume/time] and sizes, the roots of their
+/// areas.
+template <Geometry geometry, bool viscous>
+struct TriangleVolume {
+    static constexpr int components = viscous ? 3 : 1;
+
+    template <class Real>
+    [[gnu::always_inline]] static void update(Batch& batch, const Node* nodes, int block, int lane) {
+        const std::size_t first = static_cast<std::size_t>(block);
+        const std::int32_t* index = batch.nodes.data() + first * (3 * block_lanes) + lane;
+        double* to = batch.shared.elements.data() + first * (components * block_lanes) + lane;
+        const auto n1 = gather<Real>(nodes, index), n2 = gather<Real>(nodes, index + block_lanes);
+        const auto n3 = gather<Real>(nodes, index + 2 * block_lanes);
+        const Real x21 = n2.x - n1.x, x31 = n3.x - n1.x, y21 = n2.y - n1.y, y31 = n3.y - n1.y;
+        const Real twice_area = x21 * y31 - x31 * y21;
+        Real radius = 0.0 * twice_area + 1.0;
+        if constexpr (geometry == Geometry::axisymmetric) radius = (n1.x + n2.x + n3.x) * (1.0 / 3.0);
+        store(to, Real(0.5 * twice_area * radius));
+        if constexpr (viscous) {
+            const Real u21 = n2.vx - n1.vx, u31 = n3.vx - n1.vx, w21 = n2.vy - n1.vy, w31 = n3.vy - n1.vy;
+            Real rate = 0.5 * radius * (u21 * y31 - u31 * y21 + w31 * x21 - w21 * x31);
+            if constexpr (geometry == Geometry::axisymmetric)
+                rate += twice_area * (1.0 / 6.0) * (n1.vx + n2.vx + n3.vx);
+            store(to + block_lanes, rate);
+            store(to + 2 * block_lanes, square_root(Real(0.5 * twice_area)));
+        }
     }
 };
 

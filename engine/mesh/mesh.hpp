@@ -14,7 +14,12 @@ enum class ElementKind {
     quad_one_point,        ///< 4 nodes, one integration point, hourglass stiffness
     quad_mean_dilatation,  ///< 4 nodes, 2x2 points, one pressure (B-bar)
     triangle,              ///< 3 nodes, constant strain
+    triangle_averaged,     ///< the same with volumes averaged at nodes
 };
+
+[[nodiscard]] inline bool is_triangle(ElementKind kind) {
+    return kind == ElementKind::triangle || kind == ElementKind::triangle_averaged;
+}
 
 /// Nodes of one element, counter-clockwise in (x, y) or (r, z). A triangle has -1 in its last place.
 using Cell = std::array<std::int32_t, 4>;

@@ -10,7 +10,7 @@ using hdf5::read_array;
 using hdf5::write_array;
 using Integers = std::vector<std::int32_t>;
 
-constexpr std::array kind_names{"quad_one_point", "quad_mean_dilatation", "triangle"};
+constexpr std::array kind_names{"quad_one_point", "quad_mean_dilatation", "triangle", "triangle_averaged"};
 
 ElementKind kind_of(const std::string& name) {
     const auto found = std::find(kind_names.begin(), kind_names.end(), name);

@@ -35,6 +35,21 @@ void History::append(std::span<const double> values) {
     rows_.store(index + 1, std::memory_order_release);  // now readers may touch the row
 }
 
+std::shared_ptr<History> History::first(std::size_t rows) const {
+    assert(rows <= this->rows());
+    auto history = std::make_shared<History>(columns_);
+    const std::size_t full = rows / block_rows, left = rows % block_rows * columns_.size();
+    // Only this thread changes the lists, so it may read this one without the lock.
+    history->blocks_.assign(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(full));
+    if (left > 0) {
+        Block block(new double[block_rows * columns_.size()]);
+        std::copy_n(blocks_[full].get(), left, block.get());
+        history->blocks_.push_back(std::move(block));
+    }
+    history->rows_.store(rows, std::memory_order_release);
+    return history;
+}
+
 const double* History::row(std::size_t index) const {
     const std::lock_guard lock(blocks_mutex_);
     return blocks_[index / block_rows].get() + (index % block_rows) * columns_.size();

@@ -19,8 +19,9 @@ struct HistoryColumn {
     Quantity quantity = Quantity::dimensionless;
 };
 
-/// Full-rate histories: one row of numbers a step. One thread appends, any number of threads read the rows that
-/// were complete when they asked; nobody waits for long (a lock is held only while a list of blocks is touched).
+/// Full-rate histories: one row of numbers a step. One thread appends, any number of threads read the rows
+/// that were complete when they asked; nobody waits for long (a lock is held only while a list of blocks is
+/// touched).
 class History {
   public:
     explicit History(std::vector<HistoryColumn> columns);
@@ -32,6 +33,10 @@ class History {
 
     /// Appends one row; `values` has one number per column. Only the owner thread calls this.
     void append(std::span<const double> values);
+    /// The first `rows` rows as a history of their own, to which other rows can be appended: full blocks are
+    /// shared with this one, so it costs little. Only the owner thread calls this; readers of this one are
+    /// not disturbed. rows <= this->rows().
+    [[nodiscard]] std::shared_ptr<History> first(std::size_t rows) const;
     /// Rows [begin, end) of one column. end <= rows().
     [[nodiscard]] std::vector<double> values(std::size_t column, std::size_t begin, std::size_t end) const;
     [[nodiscard]] std::vector<double> values(std::string_view name) const;
@@ -40,7 +45,7 @@ class History {
 
   private:
     static constexpr std::size_t block_rows = 1024;
-    using Block = std::unique_ptr<double[]>;
+    using Block = std::shared_ptr<double[]>;  // shared only when full: its rows never change again
     [[nodiscard]] const double* row(std::size_t index) const;
 
     std::vector<HistoryColumn> columns_;

@@ -93,7 +93,7 @@ struct Snapshot {
     const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
     return sizeof(Snapshot) + bytes(s.position) + bytes(s.velocity) + bytes(s.stress) +
            bytes(s.plastic_strain) + bytes(s.yield_stress) + bytes(s.temperature) + bytes(s.contact_forces) +
-           bytes(s.pairs) + bytes(s.bodies);
+           bytes(s.pairs) + bytes(s.bodies) + bytes(s.body_energies);
 }
 
 }  // namespace percuss

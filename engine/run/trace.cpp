@@ -193,6 +193,26 @@ void TraceRecorder::after_step(const Solver& solver, double time) {
     }
 }
 
+std::vector<TraceRecorder::Progress> TraceRecorder::progress() const {
+    std::vector<Progress> all;
+    for (const Recording& r : recordings_)
+        all.push_back({r.rows->rows(), r.next, r.surface.impulse, r.surface.begin});
+    return all;
+}
+
+TraceRecorder TraceRecorder::from(const std::vector<Progress>& progress) const {
+    TraceRecorder recorder = *this;
+    for (std::size_t k = 0; k < recordings_.size(); ++k) {
+        Recording& recording = recorder.recordings_[k];
+        recording.rows = recording.rows->first(progress[k].rows);
+        recording.next = progress[k].next;
+        recording.surface.impulse = progress[k].impulse;
+        recording.surface.begin = progress[k].begin;
+        recorder.traces_[k].rows = recording.rows;
+    }
+    return recorder;
+}
+
 void TraceRecorder::sample_line(const Line& line, const Solver& solver) {
     const Mesh& mesh = solver.setup()->mesh;
     const Node* nodes = solver.nodes().data();

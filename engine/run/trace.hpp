@@ -44,6 +44,17 @@ class TraceRecorder {
     [[nodiscard]] const std::vector<Trace>& traces() const { return traces_; }
     [[nodiscard]] bool none() const { return traces_.empty(); }
     void before_step(const Solver& solver);
+    /// How far the sampling has come, to go back to.
+    struct Progress {
+        std::size_t rows = 0;
+        std::int64_t next = 0;
+        std::vector<double> impulse;
+        double begin = 0;
+    };
+    [[nodiscard]] std::vector<Progress> progress() const;  ///< per trace
+    /// A recorder that goes on from an earlier moment of this one: it shares the rows up to then, and those
+    /// that it appends are its own.
+    [[nodiscard]] TraceRecorder from(const std::vector<Progress>& progress) const;
     /// @param time of the state that the step began with, which its contact forces belong to
     void after_step(const Solver& solver, double time);
 

@@ -12,9 +12,10 @@ void read_element(TableReader& reader, Body& body) {
                        .choice<ElementKind>("element", "element",
                                             {{"one-point quad", ElementKind::quad_one_point},
                                              {"mean-dilatation quad", ElementKind::quad_mean_dilatation},
-                                             {"triangle", ElementKind::triangle}})
+                                             {"triangle", ElementKind::triangle},
+                                             {"averaged triangle", ElementKind::triangle_averaged}})
                        .value_or(ElementKind::quad_one_point);
-    const bool triangles = body.element == ElementKind::triangle;
+    const bool triangles = is_triangle(body.element);
     body.pattern = triangles ? CellPattern::diagonal : CellPattern::quads;
     const auto pattern = reader.choice<CellPattern>(
         "pattern", "pattern", {{"diagonal", CellPattern::diagonal}, {"crossed", CellPattern::crossed}});

@@ -10,10 +10,11 @@
 
 namespace {
 
-std::atomic<std::size_t> count{0};
+std::atomic<std::size_t> count{0}, bytes{0};
 
 void* counted(std::size_t size, std::size_t alignment) {
     count.fetch_add(1, std::memory_order_relaxed);
+    bytes.fetch_add(size, std::memory_order_relaxed);
     void* place = alignment <= alignof(std::max_align_t)
                       ? std::malloc(size ? size : 1)
                       : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
@@ -39,11 +40,13 @@ void* counted(std::size_t size, std::size_t alignment) {
 namespace percuss::testing {
 
 std::size_t allocations() { return count.load(std::memory_order_relaxed); }
+std::size_t allocated_bytes() { return bytes.load(std::memory_order_relaxed); }
 
 TEST(Allocations, AreCounted) {
-    const std::size_t before = allocations();
+    const std::size_t before = allocations(), bytes_before = allocated_bytes();
     const auto owned = std::make_unique<std::vector<double>>(100);
     EXPECT_EQ(allocations() - before, 2U);
+    EXPECT_EQ(allocated_bytes() - bytes_before, sizeof(std::vector<double>) + 100 * sizeof(double));
     EXPECT_EQ(owned->size(), 100U);
 }
 

@@ -104,7 +104,7 @@ TEST_F(RunFileTest, GivesBackSceneAndMesh) {
     ASSERT_EQ(read.mesh.bodies.size(), 2U);
     const MeshBody &anvil = read.mesh.bodies[1], &striker = read.mesh.bodies[0];
     EXPECT_EQ(anvil.name, "anvil");
-    EXPECT_EQ(anvil.kind, ElementKind::triangle);
+    EXPECT_EQ(anvil.kind, ElementKind::triangle_averaged);
     EXPECT_EQ(anvil.node_begin, 6);
     EXPECT_EQ(anvil.cell_end, 3);
     ASSERT_EQ(striker.edges.size(), 1U);

@@ -72,7 +72,7 @@ inline Mesh sample_mesh() {
                     {{"face", {0, 1, 2}, false}},
                     {{"outline", {0, 1, 2, 5, 4, 3}, true}}},
                    {"anvil",
-                    ElementKind::triangle,
+                    ElementKind::triangle_averaged,
                     6,
                     9,
                     2,

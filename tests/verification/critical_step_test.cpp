@@ -6,7 +6,8 @@ namespace {
 
 TEST(CriticalStep, EstimateIsBelowPowerIteration) {
     for (const char* geometry : {"axisymmetric", "plane strain", "plane stress"}) {
-        for (const char* element : {"one-point quad", "mean-dilatation quad", "triangle"}) {
+        for (const char* element :
+             {"one-point quad", "mean-dilatation quad", "triangle", "averaged triangle"}) {
             for (const double nu : {0.0, 0.3, 0.48}) {
                 const Solver solver(scene_of(
                     scene_head(geometry, 1, nu) +
@@ -20,7 +21,9 @@ TEST(CriticalStep, EstimateIsBelowPowerIteration) {
                 const double power = solver.critical_step_by_power_iteration(20000);
                 EXPECT_LE(solver.critical_step(), power * (1 + 1e-6))
                     << geometry << ", " << element << ", nu " << nu;
-                EXPECT_GT(solver.critical_step(), 0.6 * power)
+                // Averaging softens volumes, which the bound of single elements does not see.
+                EXPECT_GT(solver.critical_step(),
+                          (element == std::string("averaged triangle") ? 0.4 : 0.6) * power)
                     << geometry << ", " << element << ", nu " << nu;
             }
         }

@@ -20,7 +20,8 @@ std::string impact(const std::string& geometry, const std::string& element,
 
 TEST(Ledger, ClosesForEveryElementAndGeometry) {
     for (const char* geometry : {"axisymmetric", "plane strain", "plane stress"}) {
-        for (const char* element : {"one-point quad", "mean-dilatation quad", "triangle"}) {
+        for (const char* element :
+             {"one-point quad", "mean-dilatation quad", "triangle", "averaged triangle"}) {
             RecordedRun run(scene_of(impact(geometry, element)));
             run.to_end();
             const RunStatistics s = run.solver.statistics();
@@ -89,7 +90,8 @@ TEST(Ledger, ClosesWhenADrivenBodyIsHit) {
 
 TEST(Ledger, BulkViscosityOnlyTakesEnergy) {
     for (const char* geometry : {"axisymmetric", "plane strain"}) {
-        for (const char* element : {"one-point quad", "mean-dilatation quad", "triangle"}) {
+        for (const char* element :
+             {"one-point quad", "mean-dilatation quad", "triangle", "averaged triangle"}) {
             RecordedRun run(
                 scene_of(impact(geometry, element, "viscosity = { linear = 0.06, quadratic = 1.2 }")));
             run.to_end();

@@ -21,7 +21,7 @@ double momentum_error(const RunStatistics& s) {
 }
 
 TEST(Momentum, IsConservedToRounding) {
-    for (const char* element : {"one-point quad", "mean-dilatation quad", "triangle"}) {
+    for (const char* element : {"one-point quad", "mean-dilatation quad", "triangle", "averaged triangle"}) {
         for (const char* sign : {"restricted", "unrestricted"}) {
             RecordedRun run(oblique(element, sign));
             run.to_end();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "contact/joint/joint_contact.hpp"
@@ -15,14 +16,20 @@ namespace percuss {
 ///
 /// Contact forces (for given friction) and friction forces (for given limits) are solved in turn, each
 /// exactly, until the friction no longer changes what the contact forces have to prevent (Panagiotopoulos
-/// 1975, Ingenieur-Archiv 44, 421-432). Rows on one flat face come to that in one round, for friction does not move
-/// their nodes along the normal.
+/// 1975, Ingenieur-Archiv 44, 421-432). Rows on one flat face come to that in one round, for friction does
+/// not move their nodes along the normal.
 class FrictionalContact final : public JointContact {
   public:
     FrictionalContact(const Scene& scene, const Mesh& mesh);
 
     [[nodiscard]] std::span<const ContactRow> friction_rows(std::size_t pair) const override;
     [[nodiscard]] int sticking(std::size_t pair) const override { return pairs_[pair].sticking; }
+    [[nodiscard]] std::unique_ptr<ContactMethod> copy() const override {
+        return std::make_unique<FrictionalContact>(*this);
+    }
+    void become(const ContactMethod& other) override {
+        *this = dynamic_cast<const FrictionalContact&>(other);
+    }
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
 
   private:

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cassert>
+#include <typeinfo>
 #include <vector>
 
 #include "contact/contact_method.hpp"
@@ -27,6 +29,11 @@ class JointContact : public ContactMethod {
         return pairs_[pair].search.deepest();
     }
     [[nodiscard]] int negative_forces(std::size_t) const override { return 0; }
+    [[nodiscard]] std::unique_ptr<ContactMethod> copy() const override {
+        assert(typeid(*this) == typeid(JointContact));  // a kind of it that has no copy() would be cut short
+        return std::make_unique<JointContact>(*this);
+    }
+    void become(const ContactMethod& other) override { *this = dynamic_cast<const JointContact&>(other); }
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
 
   protected:

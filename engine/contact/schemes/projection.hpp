@@ -26,6 +26,10 @@ class Projection final : public PairScheme {
     [[nodiscard]] std::span<const ContactRow> rows() const override { return rows_; }
     [[nodiscard]] double penetration_left(const Node* nodes) const override;
     [[nodiscard]] int negative_forces() const override { return negative_; }
+    [[nodiscard]] std::unique_ptr<PairScheme> copy() const override {
+        return std::make_unique<Projection>(*this);
+    }
+    void become(const PairScheme& other) override { *this = dynamic_cast<const Projection&>(other); }
     void forget() override;
 
   private:

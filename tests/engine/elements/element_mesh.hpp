@@ -32,6 +32,7 @@ struct ElementMesh {
         double young = 200, poisson = 0.3, density = 8;
         double hourglass = 0.1;
         std::optional<BulkViscosity> viscosity;
+        bool one_way = false;   ///< triangles: all diagonals alike; else every other one is turned
         bool hold_axis = true;  ///< as the solver does on r = 0
     };
 
@@ -59,9 +60,9 @@ struct ElementMesh {
         for (int row = 0; row < o.rows; ++row) {
             for (int column = 0; column < o.columns; ++column) {
                 const auto at = [&](int c, int r) { return (row + r) * (o.columns + 1) + column + c; };
-                if (o.kind != ElementKind::triangle) {
+                if (!is_triangle(o.kind)) {
                     mesh.cells.push_back({at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
-                } else if ((row + column) % 2 == 0) {
+                } else if (o.one_way || (row + column) % 2 == 0) {
                     mesh.cells.push_back({at(0, 0), at(1, 0), at(1, 1), -1});
                     mesh.cells.push_back({at(0, 0), at(1, 1), at(0, 1), -1});
                 } else {
@@ -99,6 +100,7 @@ struct ElementMesh {
         for (const Vec2& x : mesh.nodes) nodes.push_back({{x.x(), x.y()}, {0, 0}});
         std::fill(batch.state.begin(), batch.state.end(), 0.0);
         std::fill(batch.force.begin(), batch.force.end(), 0.0);
+        average_volumes(batch, nodes.data());
         sums = {};
     }
 
@@ -117,6 +119,7 @@ struct ElementMesh {
 
     /// Calls the force kernel at the present positions and velocities and returns the internal nodal forces.
     Eigen::VectorXd update(double dt) {
+        average_volumes(batch, nodes.data());
         batch.kernel.forces(batch, nodes.data(), dt, 0, batch.blocks(), sums);
         return internal_force();
     }
@@ -157,7 +160,8 @@ struct ElementMesh {
     }
 
     /// 2 / sqrt of the kernel's bound: the element estimate of the critical step.
-    [[nodiscard]] double estimated_step() const {
+    [[nodiscard]] double estimated_step() {
+        average_volumes(batch, nodes.data());
         return 2 / std::sqrt(batch.kernel.frequency(batch, nodes.data(), 0, batch.blocks()));
     }
 
@@ -228,13 +232,15 @@ struct ElementMesh {
     }
 };
 
-inline constexpr std::array<ElementKind, 3> all_kinds{
-    ElementKind::quad_one_point, ElementKind::quad_mean_dilatation, ElementKind::triangle};
+inline constexpr std::array<ElementKind, 4> all_kinds{ElementKind::quad_one_point,
+                                                      ElementKind::quad_mean_dilatation,
+                                                      ElementKind::triangle, ElementKind::triangle_averaged};
 inline constexpr std::array<Geometry, 3> all_geometries{Geometry::axisymmetric, Geometry::plane_strain,
                                                         Geometry::plane_stress};
 
 inline std::string name_of(ElementKind kind) {
     return kind == ElementKind::triangle               ? "triangle"
+           : kind == ElementKind::triangle_averaged    ? "averaged triangle"
            : kind == ElementKind::quad_mean_dilatation ? "mean-dilatation quad"
                                                        : "one-point quad";
 }

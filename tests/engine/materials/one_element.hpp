@@ -39,7 +39,7 @@ struct OneElement {
         Mesh mesh;
         mesh.nodes = {{r, 0}, {r + 1, 0}, {r + 1, 1}, {r, 1}};
         mesh.cells = {{0, 1, 2, 3}};
-        if (o.kind == ElementKind::triangle) mesh.cells = {{0, 1, 2, -1}, {0, 2, 3, -1}};
+        if (is_triangle(o.kind)) mesh.cells = {{0, 1, 2, -1}, {0, 2, 3, -1}};
         MeshBody part;
         part.kind = o.kind;
         part.node_end = mesh.node_count();
@@ -60,6 +60,7 @@ struct OneElement {
             }
         }
         internal_work += 0.5 * dt * power();
+        average_volumes(batch, nodes.data());
         batch.kernel.forces(batch, nodes.data(), dt, 0, batch.blocks(), sums);
         internal_work += 0.5 * dt * power();
     }
@@ -116,11 +117,12 @@ inline Eigen::Matrix2d rotation(double angle) { return Eigen::Rotation2Dd(angle)
 
 inline std::string name_of(ElementKind kind) {
     return kind == ElementKind::triangle               ? "triangle"
+           : kind == ElementKind::triangle_averaged    ? "averaged triangle"
            : kind == ElementKind::quad_mean_dilatation ? "mean-dilatation quad"
                                                        : "one-point quad";
 }
 inline constexpr std::array all_kinds{ElementKind::quad_one_point, ElementKind::quad_mean_dilatation,
-                                      ElementKind::triangle};
+                                      ElementKind::triangle, ElementKind::triangle_averaged};
 inline constexpr std::array solid_geometries{Geometry::axisymmetric, Geometry::plane_strain};
 
 }  // namespace percuss::testing

@@ -37,6 +37,24 @@ TEST(History, KeepsRowsOverBlockBorders) {
     EXPECT_TRUE(history.values(0, 5, 5).empty());
 }
 
+TEST(History, ABranchSharesTheFirstRowsAndGoesItsOwnWay) {
+    for (const std::size_t rows : {0U, 1U, 1023U, 1024U, 1025U, 2048U, 3000U}) {
+        History history(three_columns());
+        append_rows(history, 3000);
+        const std::vector<double> whole = history.table(0, 3000);
+        const auto branch = history.first(rows);
+        ASSERT_EQ(branch->rows(), rows);
+        EXPECT_EQ(branch->table(0, rows), history.table(0, rows));
+        for (int k = 0; k < 2000; ++k) branch->append(std::array<double, 3>{-1, -2, -3});
+        EXPECT_EQ(history.table(0, 3000), whole) << rows;
+        history.append(std::array<double, 3>{7, 8, 9});
+        EXPECT_THAT(branch->table(rows, rows + 1), ElementsAre(-1, -2, -3));
+        EXPECT_THAT(branch->table(rows + 1999, rows + 2000), ElementsAre(-1, -2, -3));
+        EXPECT_EQ(branch->table(0, rows),
+                  std::vector<double>(whole.begin(), whole.begin() + 3 * static_cast<std::ptrdiff_t>(rows)));
+    }
+}
+
 TEST(History, NamesTheNearestColumn) {
     const History history(three_columns());
     EXPECT_EQ(history.column("contact.impact.axial"), 1U);

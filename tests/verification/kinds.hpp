@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <ostream>
+
+#include "verification/run.hpp"
+
+namespace percuss::testing {
+
+/// Two blocks, one driven into the other for a while, then let go.
+inline Scene driven_for_a_while() {
+    return scene_of(
+        scene_head("plane strain", 0.04, 0.3) +
+        box_body("ram", {0, 4, 6, 8}, {6, 4}, "",
+                 "[[body.prescribed]]\nedge = \"top\"\ndirection = \"y\"\nvelocity = [[0, 0], [0.004, -20]]\n"
+                 "from = 0.002\nuntil = 0.008\n") +
+        box_body("block", {1, 0, 7, 4}, {5, 4}) + contact_pair("push", "ram.bottom", "block.top"));
+}
+
+/// A corner that slides over a corner: which face holds a node depends on where it came from.
+inline Scene past_a_corner(const std::string& scheme) {
+    return scene_of(scene_head("plane strain", 0.1, 0.3) + "[contact_solver]\nscheme = \"" + scheme + "\"\n" +
+                    box_body("flyer", {-6, 0.01, 0.5, 4}, {13, 8}, "velocity = [30, -20]") +
+                    box_body("block", {0, -6, 8, 0}, {8, 6}, "velocity = [-5, 0]") +
+                    "[[contact]]\nname = \"hit\"\nmaster = \"flyer\"\nslave = \"block\"\n");
+}
+
+inline Scene nail(const std::string& scheme, const std::string& friction = "0") {
+    return load_scene(
+        PERCUSS_SOURCE_DIR "/scenes/nail.toml",
+        {"parameters.mesh=0.5", "contact_solver.scheme=" + scheme, "parameters.friction=" + friction});
+}
+
+/// One of each kind of run: what one may forget to save, another needs.
+struct Kind {
+    const char* name;
+    std::function<Scene()> scene;
+    std::int64_t steps = 600;  ///< at most
+};
+
+inline void PrintTo(const Kind& kind, std::ostream* to) { *to << kind.name; }
+
+inline const Kind kinds_of_runs[] = {
+    {"rods", [] { return rods(); }},
+    {"rods_lagged",
+     [] {
+         return rods({"model.lagged=true", "model.energy_growth_limit=100"});
+     }},
+    {"rods_averaged", [] { return rods({"body.striker.element=mean-dilatation quad"}); }},
+    {"corner_by_pairs", [] { return past_a_corner("projection"); }},
+    {"corner_jointly", [] { return past_a_corner("joint"); }},
+    {"nail_jointly", [] { return nail("joint"); }, 1500},
+    {"nail_with_friction", [] { return nail("joint", "0.1"); }, 1500},
+    {"nail_by_pairs", [] { return nail("projection"); }, 1500},
+    {"sliding_with_friction", [] { return load_scene(PERCUSS_SOURCE_DIR "/scenes/sliding_block.toml"); }},
+    {"taylor", [] { return load_scene(PERCUSS_SOURCE_DIR "/scenes/taylor.toml"); }},
+    {"driven", [] { return driven_for_a_while(); }}};
+
+}  // namespace percuss::testing
