@@ -1,12 +1,9 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <string>
 
-#include <vtkContext2D.h>
-#include <vtkContextItem.h>
-#include <vtkImageData.h>
+class vtkImageData;
 
 namespace percuss::render {
 
@@ -42,41 +39,28 @@ struct TextStyle {
     double angle = 0;  ///< degrees, counter-clockwise
 };
 
-/// Ink on the picture, in pixels.
+/// Ink on the picture, in pixels: on a figure or film frame by VTK, in the window by ImGui.
 class Canvas {
   public:
-    explicit Canvas(vtkContext2D& context) : context_(context) {}
+    virtual ~Canvas() = default;
 
-    void text(double x, double y, const std::string& words, const TextStyle& style);
-    [[nodiscard]] std::array<double, 2> text_size(const std::string& words, const TextStyle& style);
-    void line(double x0, double y0, double x1, double y1, Colour colour, double width);
-    void rectangle(const Rect& rect, Colour fill, double opacity = 1);
+    virtual void text(double x, double y, const std::string& words, const TextStyle& style) = 0;
+    [[nodiscard]] virtual std::array<double, 2> text_size(const std::string& words,
+                                                          const TextStyle& style) = 0;
+    virtual void line(double x0, double y0, double x1, double y1, Colour colour, double width) = 0;
+    virtual void rectangle(const Rect& rect, Colour fill, double opacity = 1) = 0;
     /// A convex quadrilateral.
-    void quad(const std::array<std::array<double, 2>, 4>& corners, Colour fill);
-    void disc(double x, double y, double radius, Colour fill);
-    void image(const Rect& rect, vtkImageData* picture);
+    virtual void quad(const std::array<std::array<double, 2>, 4>& corners, Colour fill) = 0;
+    virtual void disc(double x, double y, double radius, Colour fill) = 0;
+    virtual void image(const Rect& rect, vtkImageData* picture) = 0;
     /// An arrow with a filled head and a thin white rim that keeps it apart from what lies under it.
     /// @param dx, dy from tail to tip. The head shrinks with short arrows.
     void arrow(double x, double y, double dx, double dy, Colour colour, double thickness);
 
-  private:
-    void apply(const TextStyle& style);
-    vtkContext2D& context_;
-};
-
-/// A scene item that calls a function to paint it.
-class CanvasItem : public vtkContextItem {
-  public:
-    static CanvasItem* New();
-    vtkTypeMacro(CanvasItem, vtkContextItem) bool Paint(vtkContext2D* context) override;
-    std::function<void(Canvas&)> painter;
-
   protected:
-    CanvasItem() = default;
-
-  private:
-    CanvasItem(const CanvasItem&) = delete;
-    CanvasItem& operator=(const CanvasItem&) = delete;
+    /// Fills an arrow. @param outline seven corners, anticlockwise from the tail's right corner; 2 and 4 are
+    /// the head's corners, 3 its tip.
+    virtual void fill_arrow(const std::array<std::array<double, 2>, 7>& outline, Colour colour) = 0;
 };
 
 }  // namespace percuss::render

@@ -16,5 +16,6 @@ void add_info(CLI::App& app, Job& job);
 void add_render(CLI::App& app, Job& job);
 void add_figures(CLI::App& app, Job& job);
 void add_compare(CLI::App& app, Job& job);
+void add_view(CLI::App& app, Job& job);
 
 }  // namespace percuss::app

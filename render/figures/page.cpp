@@ -8,7 +8,7 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include "canvas.hpp"
+#include "vtk_canvas.hpp"
 #include "context/render_window.hpp"
 #include "figures/panels.hpp"
 #include "figures/plot.hpp"

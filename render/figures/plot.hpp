@@ -6,7 +6,7 @@
 #include <vtkContextScene.h>
 #include <vtkSmartPointer.h>
 
-#include "canvas.hpp"
+#include "vtk_canvas.hpp"
 #include "figures/figure.hpp"
 #include "figures/thin.hpp"
 

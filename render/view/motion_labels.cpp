@@ -71,7 +71,10 @@ void paint_motion(Canvas& canvas, const Snapshot& snapshot, const Plane& plane, 
         const auto [width, height] = canvas.text_size(label, style);
         const auto places = places_around(box, {width, height}, 12 * scale);
         const Rect place = places[choose_place(places, inside, taken)];
-        taken.push_back({place.x - 4 * scale, place.y - 2 * scale, width + 8 * scale, height + 4 * scale});
+        const Rect plate{place.x - 4 * scale, place.y - 2 * scale, width + 8 * scale, height + 4 * scale};
+        // Two labels on one place cannot be read; a label over a body or an arrow can.
+        constexpr std::size_t weight = 8;
+        taken.insert(taken.end(), weight, plate);
 
         // The leader ties the label to the body's centre, where the arrow begins.
         const bool beside = cy > place.y && cy < place.top();
@@ -88,6 +91,7 @@ void paint_motion(Canvas& canvas, const Snapshot& snapshot, const Plane& plane, 
             canvas.arrow(cx, cy, longest * velocity[0] / fastest, longest * velocity[1] / fastest,
                          velocity_colour, 3.2 * scale);
         canvas.disc(cx, cy, 3.5 * scale, velocity_colour);
+        canvas.rectangle(plate, ink::white, 0.75);
         canvas.text(place.x, place.y, label, style);
     }
 }

@@ -1,6 +1,7 @@
 #include "view/surface.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <GL/glew.h>
@@ -89,6 +90,19 @@ vtkStandardNewMacro(FlatActor)
 }
 
 }  // namespace
+
+double mean_cell_size(const Mesh& mesh) {
+    double area = 0;
+    for (const Cell& cell : mesh.cells) {
+        const auto corner = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(cell[k])]; };
+        const auto last = static_cast<std::size_t>(corner_count(cell) - 1);
+        const Vec2 a = corner(last == 3 ? 2 : 1) - corner(0), b = corner(last) - corner(last == 3 ? 1 : 0);
+        area += 0.5 * std::abs(a[0] * b[1] - a[1] * b[0]);  // half the product of the diagonals
+    }
+    return std::sqrt(area / std::max(1, mesh.cell_count()));
+}
+
+double edge_opacity(double cell_size) { return std::clamp((cell_size - 1.5) / 10, 0.0, 0.55); }
 
 Surface::Surface(const Mesh& mesh, const Plane& plane, vtkRenderer& renderer)
     : plane_(plane), renderer_(renderer) {

@@ -18,6 +18,11 @@
 
 namespace percuss::render {
 
+/// Side of a square as large as a mean cell of the undeformed mesh [length].
+[[nodiscard]] double mean_cell_size(const Mesh& mesh);
+/// Edges fade as they come closer together than the eye resolves. @param cell_size [pixels at 1280 x 720]
+[[nodiscard]] double edge_opacity(double cell_size);
+
 /// The deformed mesh. Its cells, edges and outlines are handed to VTK once; a frame changes points and
 /// scalars in place.
 class Surface {

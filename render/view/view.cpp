@@ -2,29 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <vtkCamera.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include "canvas.hpp"
+#include "vtk_canvas.hpp"
 #include "context/render_window.hpp"
 #include "figures/plot.hpp"
 #include "run/fields.hpp"
-#include "view/bodies.hpp"
+#include "view/aim.hpp"
 #include "view/colour_map.hpp"
 #include "view/colour_range.hpp"
+#include "view/force_arrows.hpp"
 #include "view/force_scale.hpp"
+#include "view/ground.hpp"
 #include "view/layout.hpp"
 #include "view/legend.hpp"
 #include "view/motion_labels.hpp"
+#include "view/run_extent.hpp"
 #include "view/side_charts.hpp"
 #include "view/surface.hpp"
-#include "view/walls.hpp"
 
 namespace percuss::render {
 
@@ -36,15 +38,10 @@ struct View::Impl {
 
     void apply_options(ViewOptions chosen);
     Image draw(const Snapshot& snapshot, const History* history);
-    void follow(const Snapshot& snapshot);
     void colour(const Snapshot& snapshot);
-    void place_camera();
-    [[nodiscard]] double mean_cell_size() const;
     void show_charts(const Snapshot& snapshot, const History* history);
-    void paint_ground(Canvas& canvas) const;
     void paint_overlay(Canvas& canvas) const;
     void paint_title(Canvas& canvas) const;
-    std::vector<Rect> paint_forces(Canvas& canvas) const;
 
     std::shared_ptr<const RunSetup> setup;
     ViewOptions options;
@@ -60,9 +57,7 @@ struct View::Impl {
     vtkSmartPointer<vtkImageData> strip;
     std::vector<std::unique_ptr<Plot>> plots;
 
-    // What the run has shown so far; only grows, so that a film keeps its scales.
-    double largest_force = 0, fastest = 0;
-    std::array<double, 4> box{};
+    std::optional<RunExtent> extent;
 
     // Of the picture being drawn.
     const Snapshot* now = nullptr;
@@ -83,16 +78,15 @@ View::Impl::Impl(Context& context, std::shared_ptr<const RunSetup> run, ViewOpti
         renderer->SetBackgroundAlpha(1);
         window->AddRenderer(renderer);
     }
-    stage->GetActiveCamera()->ParallelProjectionOn();
-    ground_ink->painter = [this](Canvas& canvas) { paint_ground(canvas); };
+    ground_ink->painter = [this](Canvas& canvas) {
+        paint_ground(canvas, setup->scene, plane, fit, layout.model, layout.scale);
+    };
     overlay_ink->painter = [this](Canvas& canvas) { paint_overlay(canvas); };
     ground_actor->GetScene()->AddItem(ground_ink);
     overlay_actor->GetScene()->AddItem(overlay_ink);
     ground->AddActor(ground_actor);
     overlay->AddActor(overlay_actor);
-    for (const Body& body : setup->scene.bodies)
-        fastest = std::max(fastest, std::hypot(body.velocity[0], body.velocity[1]));
-    start_cell_size = mean_cell_size();
+    start_cell_size = mean_cell_size(setup->mesh);
     apply_options(std::move(chosen));
 }
 
@@ -112,22 +106,10 @@ void View::Impl::apply_options(ViewOptions chosen) {
         plane = wanted;
         surface.reset();
         surface = std::make_unique<Surface>(setup->mesh, plane, *stage);
-        box = initial_box(*setup, plane);
+        extent.emplace(*setup, plane);
     }
     options = std::move(chosen);
     window->resize(options.size[0], options.size[1]);
-}
-
-void View::Impl::follow(const Snapshot& snapshot) {
-    box = grown(box, box_around(body_boxes(snapshot, plane)));
-    for (const ContactForce& contact : snapshot.contact_forces) {
-        const double force = std::hypot(contact.force[0], contact.force[1]);
-        if (std::isfinite(force)) largest_force = std::max(largest_force, force);
-    }
-    for (const BodyState& body : snapshot.bodies) {
-        const double speed = std::hypot(body.velocity[0], body.velocity[1]);
-        if (std::isfinite(speed)) fastest = std::max(fastest, speed);
-    }
 }
 
 void View::Impl::colour(const Snapshot& snapshot) {
@@ -138,35 +120,8 @@ void View::Impl::colour(const Snapshot& snapshot) {
     surface->update(snapshot.position, values, field.per_cell);
     surface->set_colours(colours, {range[0] - half, range[1] + half});
     // Edges fade as they come closer together than the eye resolves.
-    const double opacity = std::clamp((cell_size / layout.scale - 1.5) / 10, 0.0, 0.55);
+    const double opacity = edge_opacity(cell_size / layout.scale);
     surface->set_edges(options.edges && opacity > 0.02, opacity);
-}
-
-double View::Impl::mean_cell_size() const {
-    double area = 0;
-    for (const Cell& cell : setup->mesh.cells) {
-        const auto corner = [&](std::size_t k) {
-            return setup->mesh.nodes[static_cast<std::size_t>(cell[k])];
-        };
-        const auto last = static_cast<std::size_t>(corner_count(cell) - 1);
-        const Vec2 a = corner(last == 3 ? 2 : 1) - corner(0), b = corner(last) - corner(last == 3 ? 1 : 0);
-        area += 0.5 * std::abs(a[0] * b[1] - a[1] * b[0]);  // half the product of the diagonals
-    }
-    return std::sqrt(area / std::max(1, setup->mesh.cell_count()));
-}
-
-void View::Impl::place_camera() {
-    const double width = options.size[0], height = options.size[1];
-    const Rect& rect = layout.model;
-    stage->SetViewport(rect.x / width, rect.y / height, rect.right() / width, rect.top() / height);
-    const double x = (rect.x + 0.5 * rect.width - fit.offset[0]) / fit.pixels_per_unit;
-    const double y = (rect.y + 0.5 * rect.height - fit.offset[1]) / fit.pixels_per_unit;
-    vtkCamera* camera = stage->GetActiveCamera();
-    camera->SetFocalPoint(x, y, 0);
-    camera->SetPosition(x, y, 10);
-    camera->SetViewUp(0, 1, 0);
-    camera->SetParallelScale(0.5 * rect.height / fit.pixels_per_unit);
-    camera->SetClippingRange(1, 20);
 }
 
 void View::Impl::show_charts(const Snapshot& snapshot, const History* history) {
@@ -188,8 +143,8 @@ void View::Impl::show_charts(const Snapshot& snapshot, const History* history) {
 
 Image View::Impl::draw(const Snapshot& snapshot, const History* history) {
     now = &snapshot;
-    follow(snapshot);
-    std::array<double, 4> shown = box;
+    extent->follow(snapshot, plane);
+    std::array<double, 4> shown = extent->box;
     if (options.window) {
         const auto& chosen = *options.window;
         const auto a = plane(chosen[0], chosen[1]), b = plane(chosen[2], chosen[3]);
@@ -203,9 +158,9 @@ Image View::Impl::draw(const Snapshot& snapshot, const History* history) {
     // Room for the velocity labels around the bodies; a window of one's own is filled.
     const bool labels = options.velocities && !options.window;
     fit = fit_box(shown, layout.model, labels ? std::array{34 * s, 40 * s} : std::array{8 * s, 8 * s});
-    forces = make_force_scaling(options, largest_force, 0.13 * options.size[1]);
+    forces = make_force_scaling(options, extent->largest_force, 0.13 * options.size[1]);
     cell_size = fit.pixels_per_unit * start_cell_size;
-    place_camera();
+    aim(*stage, fit, layout.model, options.size);
     colour(snapshot);
     show_charts(snapshot, charts ? history : nullptr);
     ground_actor->GetScene()->SetDirty(true);
@@ -213,53 +168,6 @@ Image View::Impl::draw(const Snapshot& snapshot, const History* history) {
     Image image = window->grab();
     now = nullptr;
     return image;
-}
-
-void View::Impl::paint_ground(Canvas& canvas) const {
-    paint_walls(canvas, setup->scene.walls, plane, fit, layout.model, layout.scale);
-    if (setup->scene.geometry != Geometry::axisymmetric) return;
-    const Rect& rect = layout.model;
-    const std::size_t across = plane.mirror_axis();
-    const double s = layout.scale, at = fit.offset[across];
-    const double begin = across == 0 ? rect.y : rect.x, end = across == 0 ? rect.top() : rect.right();
-    if (at < (across == 0 ? rect.x : rect.y) || at > (across == 0 ? rect.right() : rect.top())) return;
-    // Long and short dashes: a drawing's centre line.
-    for (double from = begin; from < end; from += 26 * s)
-        for (const auto& [start, length] : {std::pair{0.0, 16.0}, std::pair{20.0, 2.0}}) {
-            const double a = from + start * s, b = std::min(a + length * s, end);
-            if (a < b && across == 0) canvas.line(at, a, at, b, ink::line, s);
-            if (a < b && across == 1) canvas.line(a, at, b, at, ink::line, s);
-        }
-}
-
-std::vector<Rect> View::Impl::paint_forces(Canvas& canvas) const {
-    std::vector<Rect> covered;
-    const int halves = plane.mirrored ? 2 : 1;
-    // Arrows of neighbouring nodes stay apart.
-    const double thickness = std::clamp(0.32 * cell_size, layout.scale, 2.4 * layout.scale);
-    // Slave forces first: where both are drawn, the master's are on top.
-    for (const bool master : {false, true})
-        for (const ContactForce& contact : now->contact_forces) {
-            if (contact.master != master) continue;
-            const double force = std::hypot(contact.force[0], contact.force[1]);
-            const double length = forces.length(force);
-            if (length < 5 * layout.scale) continue;
-            const auto node = 2 * static_cast<std::size_t>(contact.node);
-            auto place = plane(now->position[node], now->position[node + 1]);
-            auto direction = plane(contact.force[0] / force, contact.force[1] / force);
-            for (int half = 0; half < halves; ++half) {
-                if (half == 1) {
-                    place[plane.mirror_axis()] *= -1;
-                    direction[plane.mirror_axis()] *= -1;
-                }
-                const auto [x, y] = fit(place);
-                if (!layout.model.contains({x, y, 0, 0})) continue;
-                const double dx = length * direction[0], dy = length * direction[1];
-                canvas.arrow(x, y, dx, dy, master ? master_force_colour : slave_force_colour, thickness);
-                covered.push_back({std::min(x, x + dx), std::min(y, y + dy), std::abs(dx), std::abs(dy)});
-            }
-        }
-    return covered;
 }
 
 void View::Impl::paint_title(Canvas& canvas) const {
@@ -295,9 +203,9 @@ void View::Impl::paint_overlay(Canvas& canvas) const {
                            scene.units);
     paint_scale_bar(canvas, legend.right(), legend.y + 32.5 * s, s, fit.pixels_per_unit, scene.units);
     std::vector<Rect> taken;
-    if (options.forces) taken = paint_forces(canvas);
+    if (options.forces) taken = paint_force_arrows(canvas, *now, plane, fit, layout.model, forces, cell_size, s);
     if (options.velocities)
-        paint_motion(canvas, *now, plane, fit, layout.model, s, fastest, 0.09 * options.size[1],
+        paint_motion(canvas, *now, plane, fit, layout.model, s, extent->fastest, 0.09 * options.size[1],
                      std::move(taken));
 }
 

@@ -53,6 +53,13 @@ TEST(LinkGraph, RecordLinksHdf5AndNothingThatDraws) {
     }
 }
 
+TEST(LinkGraph, WhatTheWindowReadsOfARunNeedsNoWindow) {
+    const auto links = links_of("percuss_live");
+    EXPECT_TRUE(mentions(links, "percuss_engine"));
+    for (const char* library : {"vtk", "imgui", "hdf5", "glew", "opengl", "glfw", "percuss_render"})
+        EXPECT_FALSE(mentions(links, library)) << library;
+}
+
 TEST(LinkGraph, RenderDoesNotKnowTheRecord) {
     const auto links = links_of("percuss_render");
     if (links.empty()) GTEST_SKIP() << "built without the render layer";

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "exit_status.hpp"
+#include "image.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "ui/screen.hpp"
+#include "workbench/script.hpp"
+#include "workbench/workbench.hpp"
+
+namespace percuss::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double frame_period = 1.0 / 60;  // [s]
+
+struct ViewCommand {
+    std::string scene, size = "1280x720";
+    std::vector<std::string> overrides;
+    std::optional<std::string> script;
+    bool headless = false, dark = false;
+    double scale = 0;  // percent; 0: as the display says
+    int threads = 1;
+};
+
+std::vector<ScriptEvent> read_script(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in || std::filesystem::is_directory(file)) throw UsageError(fmt::format("{}: cannot be read", file));
+    return parse_script({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, file);
+}
+
+std::unique_ptr<render::Screen> make_screen(const ViewCommand& command) {
+    const auto size = parse_size(command.size);
+    if (command.headless) return render::make_offscreen(size, command.scale / 100);
+    try {
+        return render::make_window("percuss", size, command.scale / 100);
+    } catch (const render::RenderError& error) {
+        throw render::RenderError(
+            fmt::format("{}; without a display there are 'percuss run', 'render', 'figures' and 'view "
+                        "--headless --script FILE'",
+                        error.what()));
+    }
+}
+
+void write_screenshot(Workbench& workbench, const render::Screen& screen) {
+    if (!workbench.screenshot) return;
+    const std::filesystem::path file = *std::exchange(workbench.screenshot, std::nullopt);
+    try {
+        write_whole(file,
+                    [&](const std::filesystem::path& aside) { render::write_png(screen.grabbed(), aside); });
+        workbench.tell(fmt::format("written: {}", file.string()));
+    } catch (const std::exception& error) {
+        workbench.tell(error.what());
+    }
+}
+
+/// Leaves the processor to the engine until the next frame is due; asleep when there is nothing to show.
+void rest(render::Screen& screen, const Workbench& workbench, Clock::time_point frame_began, bool scripted) {
+    const double left = frame_period - std::chrono::duration<double>(Clock::now() - frame_began).count();
+    const bool waits = workbench.run.building() || workbench.run.status() == RunStatus::running;
+    if (scripted) {
+        if (waits && left > 0) screen.rest(left);
+    } else if (workbench.at_rest()) {
+        screen.rest(0.1);
+    } else if (left > 0) {
+        screen.rest(left);
+    }
+}
+
+int view(const ViewCommand& command) {
+    if (command.headless && !command.script)
+        throw UsageError("view --headless draws nothing that anybody sees; give it --script FILE");
+    if (std::filesystem::path(command.scene).extension() == ".h5" ||
+        std::filesystem::is_directory(command.scene))
+        throw UsageError(fmt::format("{}: view shows scenes; for a recorded run there is 'percuss render'",
+                                     command.scene));
+    std::optional<ScriptPlayer> player;
+    if (command.script) player.emplace(read_script(*command.script), *command.script);
+    const std::unique_ptr<render::Screen> screen = make_screen(command);
+    screen->set_dark(command.dark);
+    EngineOptions options;
+    options.threads = command.threads;
+    Workbench workbench(*screen, std::move(options));
+    if (command.scene.empty())
+        workbench.pick_scene = !player;
+    else
+        workbench.run.open(command.scene, command.overrides);
+    while (!workbench.quit) {
+        const Clock::time_point began = Clock::now();
+        const render::ScriptedInput* input = player ? &player->before_frame(workbench) : nullptr;
+        if (player && player->done()) break;
+        if (!screen->begin_frame(input)) break;
+        workbench.frame();
+        screen->end_frame(workbench.screenshot.has_value());
+        write_screenshot(workbench, *screen);
+        rest(*screen, workbench, began, player.has_value());
+    }
+    return exit_status::ok;
+}
+
+}  // namespace
+
+void add_view(CLI::App& app, Job& job) {
+    auto options = std::make_shared<ViewCommand>();
+    CLI::App& command =
+        *app.add_subcommand("view", "Open a window on a scene that runs: picture, plots, sliders");
+    command.footer(fmt::format(
+        "In the window F1 lists all keys and commands. A script is a text file, one event a line:\n{}"
+        "NAME is one of {}.\nIts screenshots and expectations are the same in a window and with "
+        "--headless; exit status 1 when\nan expectation does not hold.",
+        script_help(), fmt::join(Workbench::value_names(), ", ")));
+    command.add_option("SCENE", options->scene,
+                       "scene file, e.g. scenes/nail.toml; without one the window asks for it");
+    command.add_option("--set", options->overrides, "override a value of the scene; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+    command.add_option("--size", options->size, "of the window [pixels]")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command
+        .add_option("--scale", options->scale, "of text and widgets [percent]; default: as the display says")
+        ->check(CLI::Range(75.0, 250.0));
+    command.add_option("--threads", options->threads, "of the engine")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command.add_flag("--dark", options->dark, "light letters on dark panels");
+    command.add_option("--script", options->script, "play this script, then close")->type_name("FILE");
+    command.add_flag("--headless", options->headless, "no window and no display: a script draws into memory");
+    command.callback([&job, options] { job = [options] { return view(*options); }; });
+}
+
+}  // namespace percuss::app

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "run/history.hpp"
+#include "scene/scene.hpp"
+#include "live/min_max_pyramid.hpp"
+
+namespace percuss::app {
+
+/// A curve of a plot: a column of the history under a short name.
+struct CurveInfo {
+    std::size_t column = 0;
+    std::string label;  ///< "piston-nail", "washer", "kinetic"
+    bool shown = true;  ///< when the plot is first drawn
+};
+
+struct PlotInfo {
+    std::string name;   ///< of widgets: "forces.axial", "velocities.axial", "energies", "step", "probes.von_mises"
+    std::string title;  ///< "axial contact force on the master body"
+    Quantity quantity = Quantity::dimensionless;
+    std::vector<CurveInfo> curves;
+    bool folded = false;  ///< when the plots are first drawn
+};
+
+/// The plots that a scene's histories give: contact forces and velocities by direction, energies, step, and those of
+/// probes, one a quantity.
+[[nodiscard]] std::vector<PlotInfo> plots_of(const Scene& scene, const std::vector<HistoryColumn>& columns);
+
+/// Histories as plots read them, full rate; only new rows are copied, of the columns that are looked at.
+class Curves {
+  public:
+    /// Takes what was appended since the last call; another history begins anew.
+    void follow(std::shared_ptr<const History> history);
+    [[nodiscard]] std::size_t rows() const { return times_.size(); }
+    [[nodiscard]] const MinMaxPyramid& times() const { return times_; }
+    /// Valid until the next follow().
+    [[nodiscard]] const MinMaxPyramid& column(std::size_t index);
+    /// First row at or after this time; rows() when there is none.
+    [[nodiscard]] std::size_t row_at(double time) const;
+
+  private:
+    std::shared_ptr<const History> history_;
+    MinMaxPyramid times_;
+    std::map<std::size_t, MinMaxPyramid> columns_;
+};
+
+struct CurvePoint {
+    double time = 0, value = 0;
+};
+/// What a plot of [from, to] draws of a curve: all points when they are few, else at most two in each of
+/// `parts` equal spans of time, the least and the greatest, in the order that keeps the line short. One point
+/// beyond either end is kept, so that lines reach the edges.
+void decimate(const Curves& curves, const MinMaxPyramid& values, double from, double to, int parts,
+              std::vector<CurvePoint>& points);
+
+}  // namespace percuss::app

@@ -1,0 +1,145 @@
+#include "workbench/command_table.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "ui/input.hpp"
+#include "workbench/workbench.hpp"
+
+namespace percuss::app {
+namespace {
+
+void toggle_run(Workbench& w) {
+    if (w.run.status() == RunStatus::running)
+        w.run.pause();
+    else
+        w.run.run();
+}
+
+/// percuss-20240131-120000.png, or the like with a number when it is there.
+std::filesystem::path free_name() {
+    const std::string stem = fmt::format("percuss-{:%Y%m%d-%H%M%S}", fmt::localtime(std::time(nullptr)));
+    std::filesystem::path file = stem + ".png";
+    for (int i = 2; std::filesystem::exists(file); ++i) file = fmt::format("{}-{}.png", stem, i);
+    return file;
+}
+
+template <bool ViewOptions::*option>
+void toggle_option(Workbench& w) {
+    w.viewport.options.*option = !(w.viewport.options.*option);
+    w.viewport.dirty = true;
+}
+
+template <bool ViewOptions::*option>
+bool option_on(const Workbench& w) {
+    return w.viewport.options.*option;
+}
+
+/// What is shown now stays as the reference; the same command drops it.
+void toggle_reference(Workbench& w) {
+    if (w.reference)
+        w.reference.reset();
+    else if (w.run.snapshot())
+        w.reference.emplace(Reference{w.run.history(), w.run.snapshot(), {}});
+}
+
+void frame_model(Workbench& w, Framing framing) {
+    w.viewport.framing = framing;
+    w.viewport.camera.reset();
+    w.viewport.dirty = true;
+}
+
+void zoom_text(Workbench& w, double factor) {
+    w.screen.set_scale(std::clamp(factor == 0 ? 1 : w.screen.scale() * factor, 0.75, 2.5));
+    w.viewport.dirty = true;
+}
+
+}  // namespace
+
+const std::vector<WorkbenchCommand>& workbench_commands() {
+    static const std::vector<WorkbenchCommand> table{
+        {"run.toggle", "Run or pause", "Space",
+         "Lets the engine step, or holds it; after the end, runs again.", toggle_run,
+         [](const Workbench& w) { return w.run.status() == RunStatus::running; }},
+        {"run.step", "One step", "Right", "Advances the scene by one time step.",
+         [](Workbench& w) { w.run.step(1); }},
+        {"run.steps", "Several steps", "", "Advances by the number of steps in the field beside it.",
+         [](Workbench& w) { w.run.step(std::max(1, w.step_count)); }},
+        {"run.until", "Run until", "",
+         "Runs and pauses at the first step that reaches the time in the field.",
+         [](Workbench& w) { w.run.run(w.until); }},
+        {"run.reset", "Reset", "R", "Back to time 0, with new histories.",
+         [](Workbench& w) { w.run.reset(); }},
+        {"scene.open", "Open a scene", "Ctrl+O", "Chooses another scene by a few letters of its name.",
+         [](Workbench& w) { w.pick_scene = true; }},
+        {"scene.reload", "Reload", "Ctrl+L", "Reads the scene's file anew and keeps the values set here.",
+         [](Workbench& w) { w.run.reload(); }},
+        {"scene.watch", "Reload by itself", "", "Reads the scene's file anew whenever it changes on disk.",
+         [](Workbench& w) { w.reload_by_itself = !w.reload_by_itself; },
+         [](const Workbench& w) { return w.reload_by_itself; }},
+        {"scene.file-values", "Values of the file", "",
+         "Takes back all values that were set in the design panel.",
+         [](Workbench& w) { w.run.forget_settings(); }},
+        {"reference.toggle", "Keep as reference", "B",
+         "Keeps this run to compare the next ones with: outline and curves beneath theirs, peaks in a table; "
+         "again: drops it.",
+         toggle_reference, [](const Workbench& w) { return w.reference.has_value(); }},
+        {"view.fit", "Fit all", "F", "Shows all bodies and follows them.",
+         [](Workbench& w) { frame_model(w, Framing::all); }},
+        {"view.scene", "The scene's window", "Home",
+         "Shows the part of the model that the scene's [view] names.",
+         [](Workbench& w) { frame_model(w, Framing::scene); }},
+        {"view.edges", "Element edges", "E", "Draws the edges of the elements, where they are not too dense.",
+         toggle_option<&ViewOptions::edges>, option_on<&ViewOptions::edges>},
+        {"view.forces", "Contact forces", "C", "Draws the contact forces of the last step as arrows.",
+         toggle_option<&ViewOptions::forces>, option_on<&ViewOptions::forces>},
+        {"view.velocities", "Velocities", "V",
+         "Draws an arrow and a label for the mean velocity of each body.",
+         toggle_option<&ViewOptions::velocities>, option_on<&ViewOptions::velocities>},
+        {"view.mirror", "Both halves", "M", "Draws the mirror image at the other side of the axis, too.",
+         toggle_option<&ViewOptions::mirror>, option_on<&ViewOptions::mirror>},
+        {"plots.all", "Plots: all times", "A", "Takes back the zoom of the plots' time axis.",
+         [](Workbench& w) { w.plots.time.reset(); }},
+        {"panels.toggle", "Panels", "Tab", "Hides all panels but the picture, or shows them again.",
+         [](Workbench& w) { w.panels = !w.panels; }, [](const Workbench& w) { return w.panels; }},
+        {"window.dark", "Dark", "", "Light letters on dark panels; the picture stays on white.",
+         [](Workbench& w) { w.screen.set_dark(!w.screen.dark()); },
+         [](const Workbench& w) { return w.screen.dark(); }},
+        {"window.larger", "Larger text", "Ctrl++", "Letters and widgets a quarter larger.",
+         [](Workbench& w) { zoom_text(w, 1.25); }},
+        {"window.smaller", "Smaller text", "Ctrl+-", "Letters and widgets a fifth smaller.",
+         [](Workbench& w) { zoom_text(w, 0.8); }},
+        {"window.normal", "Normal text", "Ctrl+0", "Letters of 15 pixels.",
+         [](Workbench& w) { zoom_text(w, 0); }},
+        {"window.screenshot", "Screenshot", "Ctrl+P", "Writes the window as it is to percuss-DATE-TIME.png.",
+         [](Workbench& w) { w.screenshot = free_name(); }},
+        {"help", "Help", "F1", "Shows this page.", [](Workbench& w) { w.help = !w.help; },
+         [](const Workbench& w) { return w.help; }},
+        {"quit", "Quit", "Ctrl+Q", "Closes the window; nothing is saved.",
+         [](Workbench& w) { w.quit = true; }},
+    };
+    return table;
+}
+
+const WorkbenchCommand* find_command(std::string_view name) {
+    const auto& table = workbench_commands();
+    const auto found =
+        std::find_if(table.begin(), table.end(), [&](const WorkbenchCommand& c) { return c.name == name; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+KeyChord parse_key(std::string_view text) {
+    KeyChord chord;
+    constexpr std::string_view ctrl = "Ctrl+";
+    if (text.starts_with(ctrl)) {
+        chord.ctrl = true;
+        text.remove_prefix(ctrl.size());
+    }
+    chord.key = render::key_number(std::string(text));
+    return chord;
+}
+
+}  // namespace percuss::app

@@ -1,0 +1,67 @@
+#include <array>
+#include <utility>
+
+#include <imgui.h>
+
+#include "workbench/command_table.hpp"
+#include "workbench/panels/panel.hpp"
+
+namespace percuss::app {
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 8> mouse{{
+    {"drag in the picture", "moves it"},
+    {"wheel in the picture", "zooms at the cursor"},
+    {"double click on a body", "zooms to it; beside the bodies: fits all"},
+    {"mouse at rest", "values at the cursor, and what a term means"},
+    {"wheel over a plot", "zooms its time axis at the cursor, for all plots"},
+    {"drag in a plot", "moves the times shown; double click: all times"},
+    {"click on a curve's name", "shows or hides it"},
+    {"drop a file", "opens the scene"},
+}};
+
+void row(const char* key, const char* title, const char* help) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(key);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(title);
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", help);
+}
+
+}  // namespace
+
+void show_help(Workbench& w) {
+    if (!w.help) return;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5F * display.x, 0.5F * display.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({std::min(0.94F * display.x, 56 * ImGui::GetFontSize()), 0.9F * display.y});
+    ImGui::Begin("Keys and commands", &w.help,
+                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoSavedSettings);
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    w.names.place("help.page", {low.x, low.y, low.x + size.x, low.y + size.y});
+    if (ImGui::BeginTable("commands", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+        ImGui::TableSetupColumn("key");
+        ImGui::TableSetupColumn("what");
+        ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+        for (const WorkbenchCommand& command : workbench_commands())
+            row(command.key.c_str(), command.title.c_str(), command.help.c_str());
+        ImGui::EndTable();
+    }
+    ImGui::Separator();
+    if (ImGui::BeginTable("mouse", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+        for (const auto& [what, does] : mouse) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(what);
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(does);
+        }
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+}  // namespace percuss::app

@@ -1,0 +1,48 @@
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "workbench/panels/panel.hpp"
+
+namespace percuss::app {
+
+void show_messages(Workbench& w, const PanelArea& viewport) {
+    std::vector<std::string> lines = w.run.messages();
+    const auto& snapshot = w.run.snapshot();
+    const bool diverged = snapshot && snapshot->status == RunStatus::diverged;
+    const bool refused = !lines.empty();
+    if (diverged) lines.push_back(snapshot->message);
+    if (lines.empty()) return;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float height =
+        std::min(0.6F * viewport.height, (3.2F + 1.6F * static_cast<float>(lines.size())) * line);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, w.screen.dark() ? ImVec4{0.25F, 0.08F, 0.08F, 0.96F}
+                                                             : ImVec4{1, 0.93F, 0.92F, 0.97F});
+    ImGui::SetNextWindowPos({viewport.x, viewport.y});
+    ImGui::SetNextWindowSize({viewport.width, height});
+    ImGui::Begin("messages", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings);
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    w.names.place("messages", {low.x, low.y, low.x + size.x, low.y + size.y});
+    ImGui::PushFont(w.screen.fonts().bold);
+    ImGui::TextUnformatted(!refused    ? "The run diverged; shown is the last sound step"
+                           : !snapshot ? "This cannot be used"
+                                       : "This cannot be used; what is shown is the scene before");
+    ImGui::PopFont();
+    ImGui::PushTextWrapPos(0);
+    for (const std::string& text : lines) ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    if (refused) {
+        if (ImGui::Button("Dismiss")) w.run.dismiss_messages();
+        w.names.name("messages.dismiss");
+        ImGui::SameLine();
+        command_button(w, "scene.file-values");
+    } else {
+        command_button(w, "run.reset");
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace percuss::app

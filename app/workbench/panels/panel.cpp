@@ -1,0 +1,82 @@
+#include "workbench/panels/panel.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "figures/ticks.hpp"
+#include "workbench/command_table.hpp"
+
+namespace percuss::app {
+
+Panel::Panel(const char* name, const PanelArea& area, bool padded, bool scrolls) {
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({area.width, area.height});
+    if (!padded) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                             ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                             ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings;
+    if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    ImGui::Begin(name, nullptr, flags);
+    if (!padded) ImGui::PopStyleVar();
+}
+
+Panel::~Panel() { ImGui::End(); }
+
+void tooltip(const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(28 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+namespace {
+
+std::string help_of(const WorkbenchCommand& command) {
+    std::string text = command.help.empty() ? command.title : command.help;
+    if (!command.key.empty()) text += fmt::format("  [{}]", command.key);
+    return text;
+}
+
+}  // namespace
+
+bool command_button(Workbench& workbench, const char* name, const char* label, float width) {
+    const WorkbenchCommand& command = *find_command(name);
+    const std::string text = fmt::format("{}##{}", *label != '\0' ? label : command.title.c_str(), name);
+    const bool pressed = ImGui::Button(text.c_str(), {width, 0});
+    workbench.names.name(command.name);
+    tooltip(help_of(command));
+    if (pressed) command.act(workbench);
+    return pressed;
+}
+
+void command_box(Workbench& workbench, const char* name) {
+    const WorkbenchCommand& command = *find_command(name);
+    bool on = command.on(workbench);
+    if (ImGui::Checkbox(fmt::format("{}##{}", command.title, name).c_str(), &on)) command.act(workbench);
+    workbench.names.name(command.name);
+    tooltip(help_of(command));
+}
+
+std::string quantity_text(const Units& units, Quantity quantity, double value) {
+    const DisplayUnit unit = units.display(quantity, value);
+    const std::string number = render::format_number(unit.scale * value);
+    return unit.label.empty() ? number : number + " " + unit.label;
+}
+
+const char* status_word(RunStatus status) {
+    switch (status) {
+        case RunStatus::paused:
+            return "paused";
+        case RunStatus::running:
+            return "running";
+        case RunStatus::finished:
+            return "finished";
+        case RunStatus::diverged:
+            return "diverged";
+    }
+    return "";
+}
+
+}  // namespace percuss::app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+
+#include "units.hpp"
+#include "workbench/workbench.hpp"
+
+namespace percuss::app {
+
+/// Where a panel goes on the screen [pixels from the top left corner].
+struct PanelArea {
+    float x = 0, y = 0, width = 0, height = 0;
+};
+
+/// A panel with a fixed place, from construction to destruction.
+class Panel {
+  public:
+    /// @param padded whether its contents keep away from its rim
+    Panel(const char* name, const PanelArea& area, bool padded = true, bool scrolls = true);
+    ~Panel();
+    Panel(const Panel&) = delete;
+    Panel& operator=(const Panel&) = delete;
+};
+
+/// A button for a command of the table, named like it, with its help and key as tooltip. @param label "": its
+/// title
+bool command_button(Workbench& workbench, const char* command, const char* label = "", float width = 0);
+/// The same as a check box.
+void command_box(Workbench& workbench, const char* command);
+/// What the last widget is about, shown when the mouse rests on it.
+void tooltip(const std::string& text);
+
+/// "12.3 µs": three digits and the unit in which they read best.
+[[nodiscard]] std::string quantity_text(const Units& units, Quantity quantity, double value);
+[[nodiscard]] const char* status_word(RunStatus status);
+
+// The panels, one file each.
+void show_menu(Workbench& workbench);
+void show_run_bar(Workbench& workbench, const PanelArea& area);
+void show_viewport(Workbench& workbench, const PanelArea& area);
+void show_view_settings(Workbench& workbench);  ///< within the panel on the left
+void show_design(Workbench& workbench);         ///< likewise
+void show_reference(Workbench& workbench);      ///< likewise
+void show_time_spent(Workbench& workbench);     ///< likewise
+void show_plots(Workbench& workbench, const PanelArea& area);
+void show_messages(Workbench& workbench, const PanelArea& viewport);
+void show_help(Workbench& workbench);
+void show_scene_picker(Workbench& workbench);
+
+}  // namespace percuss::app

@@ -1,0 +1,299 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "figures/ticks.hpp"
+#include "workbench/panels/panel.hpp"
+
+namespace percuss::app {
+namespace {
+
+/// Okabe & Ito's colours, which colour-blind eyes tell apart, and darker ones of them for the ninth curve on.
+constexpr std::array<ImU32, 14> palette{
+    IM_COL32(0, 114, 178, 255),   IM_COL32(213, 94, 0, 255),   IM_COL32(0, 158, 115, 255),
+    IM_COL32(204, 121, 167, 255), IM_COL32(230, 159, 0, 255),  IM_COL32(86, 180, 233, 255),
+    IM_COL32(120, 120, 120, 255), IM_COL32(190, 175, 20, 255), IM_COL32(0, 70, 110, 255),
+    IM_COL32(140, 60, 0, 255),    IM_COL32(0, 95, 70, 255),    IM_COL32(130, 70, 105, 255),
+    IM_COL32(150, 100, 0, 255),   IM_COL32(50, 110, 145, 255)};
+
+bool shown(const PlotsState& state, const PlotInfo& plot, const CurveInfo& curve) {
+    return curve.shown != state.toggled.contains(plot.name + "/" + curve.label);
+}
+
+void flip(std::set<std::string>& names, const std::string& name) {
+    if (names.erase(name) == 0) names.insert(name);
+}
+
+/// Curve names that wrap at the panel's width; a click shows or hides a curve.
+void show_legend(Workbench& w, const PlotInfo& plot) {
+    PlotsState& state = w.plots;
+    const float em = ImGui::GetFontSize(), right = ImGui::GetWindowContentRegionMax().x;
+    float x = 0;
+    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+        const CurveInfo& curve = plot.curves[i];
+        const float width = ImGui::CalcTextSize(curve.label.c_str()).x + 1.7F * em;
+        if (i > 0 && x + width + 0.4F * em < right) ImGui::SameLine(0, 0.4F * em);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float height = ImGui::GetTextLineHeight();
+        const std::string id = fmt::format("{}/{}", plot.name, curve.label);
+        if (ImGui::InvisibleButton(id.c_str(), {width, height})) flip(state.toggled, id);
+        w.names.name("plots." + id);
+        x = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+        const bool on = shown(state, plot, curve);
+        const ImU32 colour = palette[i % palette.size()];
+        ImDrawList& ink = *ImGui::GetWindowDrawList();
+        const ImVec2 low{at.x + 0.2F * em, at.y + 0.5F * height - 0.14F * em},
+            high{low.x + em, low.y + 0.28F * em};
+        if (on)
+            ink.AddRectFilled(low, high, colour);
+        else
+            ink.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+        ink.AddText({at.x + 1.5F * em, at.y}, ImGui::GetColorU32(on ? ImGuiCol_Text : ImGuiCol_TextDisabled),
+                    curve.label.c_str());
+        tooltip(on ? "Hide this curve." : "Show this curve.");
+    }
+}
+
+/// Where numbers lie on the screen.
+struct Axes {
+    ImVec2 low, high;  // corners of the plotting area: left top, right bottom
+    double from, to, least, greatest;
+    [[nodiscard]] float x(double time) const {
+        return low.x + static_cast<float>((time - from) / (to - from)) * (high.x - low.x);
+    }
+    [[nodiscard]] float y(double value) const {
+        return high.y - static_cast<float>((value - least) / (greatest - least)) * (high.y - low.y);
+    }
+    [[nodiscard]] double time(float at) const { return from + (to - from) * (at - low.x) / (high.x - low.x); }
+};
+
+/// The reference's column for a curve, unless the reference is the present run itself.
+std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo& curve) {
+    if (!w.reference || w.reference->history == w.run.history()) return std::nullopt;
+    return w.reference->column(w.plots.columns[curve.column].name);
+}
+
+std::array<double, 2> shown_times(const Workbench& w) {
+    if (w.plots.time) return *w.plots.time;
+    const Curves& curves = w.plots.curves;
+    const double duration = w.run.snapshot()->setup->scene.duration;
+    double last = curves.rows() > 0 ? curves.times()[curves.rows() - 1] : 0;
+    if (w.reference && w.reference->curves.rows() > 0)
+        last = std::max(last, w.reference->curves.times()[w.reference->curves.rows() - 1]);
+    return {0, std::max(last, 0.02 * duration)};
+}
+
+/// Least and greatest of what is shown, with a little room; zero is kept in sight when it is near.
+std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std::array<double, 2>& times) {
+    Curves& curves = w.plots.curves;
+    const std::size_t begin = curves.row_at(times[0]);
+    const std::size_t end = std::min(curves.rows(), curves.row_at(times[1]) + 1);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    const auto include = [&](const MinMax& part) {
+        low = std::min(low, part.low);
+        high = std::max(high, part.high);
+    };
+    for (const CurveInfo& curve : plot.curves) {
+        if (!shown(w.plots, plot, curve)) continue;
+        if (begin < end) include(curves.column(curve.column).range(begin, end));
+        const auto column = reference_column(w, curve);
+        if (!column) continue;
+        Curves& other = w.reference->curves;
+        const std::size_t first = other.row_at(times[0]),
+                          last = std::min(other.rows(), other.row_at(times[1]) + 1);
+        if (first < last) include(other.column(*column).range(first, last));
+    }
+    if (!(low <= high)) return {0, 1};
+    if (low > 0 && low < 0.6 * high) low = 0;
+    if (high < 0 && high > 0.6 * low) high = 0;
+    const double span = high - low, least = 1e-9 * std::max(std::abs(low), std::abs(high));
+    const double room = span > least ? 0.06 * span : std::max(0.5 * std::abs(high), 1e-12);
+    return {low - room, high + room};
+}
+
+void draw_grid(ImDrawList& ink, const Axes& axes, double time_scale, const DisplayUnit& unit,
+               bool time_labels) {
+    const float em = ImGui::GetFontSize();
+    const ImU32 grid = ImGui::GetColorU32(ImGuiCol_Border, 0.45F),
+                text = ImGui::GetColorU32(ImGuiCol_Text, 0.75F);
+    const auto across =
+        render::make_ticks(unit.scale * axes.least, unit.scale * axes.greatest,
+                           std::max(3, static_cast<int>((axes.high.y - axes.low.y) / (1.7F * em))));
+    for (std::size_t i = 0; i < across.values.size(); ++i) {
+        const float y = std::round(axes.y(across.values[i] / unit.scale));
+        ink.AddLine({axes.low.x, y}, {axes.high.x, y}, grid);
+        const ImVec2 size = ImGui::CalcTextSize(across.labels[i].c_str());
+        ink.AddText({axes.low.x - size.x - 0.35F * em, y - 0.5F * size.y}, text, across.labels[i].c_str());
+    }
+    const auto along =
+        render::make_ticks(time_scale * axes.from, time_scale * axes.to,
+                           std::max(2, static_cast<int>((axes.high.x - axes.low.x) / (4.5F * em))));
+    for (std::size_t i = 0; i < along.values.size(); ++i) {
+        const float x = std::round(axes.x(along.values[i] / time_scale));
+        ink.AddLine({x, axes.low.y}, {x, axes.high.y}, grid);
+        if (!time_labels) continue;
+        const ImVec2 size = ImGui::CalcTextSize(along.labels[i].c_str());
+        ink.AddText({std::min(x - 0.5F * size.x, axes.high.x - size.x), axes.high.y + 0.15F * em}, text,
+                    along.labels[i].c_str());
+    }
+    ink.AddRect(axes.low, axes.high, ImGui::GetColorU32(ImGuiCol_Border));
+}
+
+void draw_curve(const Curves& curves, const MinMaxPyramid& values, const Axes& axes, ImU32 colour,
+                float width, ImDrawList& ink) {
+    static thread_local std::vector<CurvePoint> points;
+    static thread_local std::vector<ImVec2> line;
+    const int parts = std::max(1, static_cast<int>(axes.high.x - axes.low.x));
+    decimate(curves, values, axes.from, axes.to, parts, points);
+    line.clear();
+    for (const CurvePoint& point : points) line.emplace_back(axes.x(point.time), axes.y(point.value));
+    ink.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width);
+}
+
+void draw_curves(Workbench& w, const PlotInfo& plot, const Axes& axes, ImDrawList& ink) {
+    const auto width = static_cast<float>(1.4 * w.screen.scale());
+    constexpr ImU32 faint = IM_COL32(255, 255, 255, 80);
+    for (const CurveInfo& curve : plot.curves) {  // beneath, wide and pale
+        const auto column = reference_column(w, curve);
+        if (!column || !shown(w.plots, plot, curve)) continue;
+        const ImU32 colour = palette[static_cast<std::size_t>(&curve - plot.curves.data()) % palette.size()];
+        draw_curve(w.reference->curves, w.reference->curves.column(*column), axes,
+                   colour & (faint | ~IM_COL32_A_MASK), 2.5F * width, ink);
+    }
+    for (std::size_t i = plot.curves.size(); i-- > 0;) {  // the first on top
+        const CurveInfo& curve = plot.curves[i];
+        if (!shown(w.plots, plot, curve)) continue;
+        draw_curve(w.plots.curves, w.plots.curves.column(curve.column), axes, palette[i % palette.size()],
+                   width, ink);
+    }
+}
+
+/// The last values at or before a time.
+void tell_values(Workbench& w, const PlotInfo& plot, double time) {
+    Curves& curves = w.plots.curves;
+    if (curves.rows() == 0) return;
+    const Units& units = w.run.snapshot()->setup->scene.units;
+    const std::size_t next = curves.row_at(time);
+    const std::size_t row =
+        next > 0 && (next == curves.rows() || curves.times()[next] > time) ? next - 1 : next;
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(
+        fmt::format("t = {}", quantity_text(units, Quantity::time, curves.times()[row])).c_str());
+    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+        const CurveInfo& curve = plot.curves[i];
+        if (!shown(w.plots, plot, curve)) continue;
+        const std::string text = fmt::format(
+            "{}  {}", curve.label, quantity_text(units, plot.quantity, curves.column(curve.column)[row]));
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette[i % palette.size()]), "%s", text.c_str());
+    }
+    ImGui::EndTooltip();
+}
+
+void navigate(Workbench& w, const PlotInfo& plot, const Axes& axes) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool hovered = ImGui::IsItemHovered();
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2)) {
+        const double by = axes.time(io.MousePos.x - io.MouseDelta.x) - axes.time(io.MousePos.x);
+        if (by != 0) w.plots.time = {axes.from + by, axes.to + by};
+    } else if (hovered && io.MouseWheel != 0) {
+        const double at = axes.time(io.MousePos.x), factor = std::pow(0.8, io.MouseWheel);
+        w.plots.time = {at + (axes.from - at) * factor, at + (axes.to - at) * factor};
+    } else if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        w.plots.time.reset();
+    }
+    if (!hovered) return;
+    w.plots.cursor = axes.time(io.MousePos.x);
+    if (!ImGui::IsItemActive()) tell_values(w, plot, *w.plots.cursor);
+}
+
+void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::array<double, 2>& times,
+               bool last, std::optional<double> cursor) {
+    const float em = ImGui::GetFontSize();
+    const Units& units = w.run.snapshot()->setup->scene.units;
+    const auto values = shown_values(w, plot, times);
+    const DisplayUnit unit = units.display(plot.quantity, std::max(std::abs(values[0]), std::abs(values[1])));
+    const bool open = !w.plots.folded.contains(plot.name);
+    const std::string title =
+        unit.label.empty() ? plot.title : fmt::format("{} [{}]", plot.title, unit.label);
+    ImGui::PushFont(w.screen.fonts().bold);
+    if (ImGui::Selectable(fmt::format("{} {}##{}", open ? "\u2013" : "+", title, plot.name).c_str()))
+        flip(w.plots.folded, plot.name);
+    ImGui::PopFont();
+    w.names.name("plots." + plot.name + ".title");
+    if (!open) return;
+    const float top = ImGui::GetCursorPosY();
+    show_legend(w, plot);
+    const float used = ImGui::GetCursorPosY() - top;
+    const float below = last ? 2.5F * em : 0.4F * em;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const Axes axes{{at.x + 3.6F * em, at.y + 2},
+                    {at.x + width - 2, at.y + std::max(height - used - below, 4 * em)},
+                    times[0],
+                    times[1],
+                    values[0],
+                    values[1]};
+    ImDrawList& ink = *ImGui::GetWindowDrawList();
+    const DisplayUnit time = units.display(Quantity::time, w.run.snapshot()->setup->scene.duration);
+    ink.AddRectFilled(axes.low, axes.high, w.screen.dark() ? IM_COL32(12, 14, 17, 255) : IM_COL32_WHITE);
+    draw_grid(ink, axes, time.scale, unit, last);
+    if (last) {
+        const std::string label = fmt::format("time [{}]", time.label);
+        ink.AddText({0.5F * (axes.low.x + axes.high.x - ImGui::CalcTextSize(label.c_str()).x),
+                     axes.high.y + 1.25F * em},
+                    ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
+    }
+    ink.PushClipRect(axes.low, axes.high, true);
+    draw_curves(w, plot, axes, ink);
+    if (cursor)
+        ink.AddLine({axes.x(*cursor), axes.low.y}, {axes.x(*cursor), axes.high.y},
+                    ImGui::GetColorU32(ImGuiCol_Text, 0.6F));
+    ink.PopClipRect();
+    ImGui::SetCursorScreenPos(axes.low);
+    ImGui::InvisibleButton(plot.name.c_str(), {axes.high.x - axes.low.x, axes.high.y - axes.low.y});
+    w.names.name("plots." + plot.name);
+    navigate(w, plot, axes);
+    ImGui::SetCursorScreenPos({at.x, axes.high.y + below});
+    ImGui::Dummy({1, 1});
+}
+
+}  // namespace
+
+void show_plots(Workbench& w, const PanelArea& area) {
+    const Panel panel("plots", area);
+    if (!w.run.snapshot() || !w.run.history()) return;
+    PlotsState& state = w.plots;
+    state.curves.follow(w.run.history());
+    const auto same = [](const HistoryColumn& a, const HistoryColumn& b) { return a.name == b.name; };
+    const auto& columns = w.run.history()->columns();
+    if (!std::equal(columns.begin(), columns.end(), state.columns.begin(), state.columns.end(), same)) {
+        state.columns = columns;
+        state.plots = plots_of(w.run.snapshot()->setup->scene, columns);
+        state.time.reset();
+        state.folded.clear();
+        // In a low window three plots that can be read are better than four that cannot.
+        const bool low = area.height < 52 * ImGui::GetFontSize();
+        for (const PlotInfo& plot : state.plots)
+            if (plot.folded || (low && plot.name == "step")) state.folded.insert(plot.name);
+    }
+    const std::optional<double> cursor = std::exchange(state.cursor, std::nullopt);
+    const auto open = [&](const PlotInfo& plot) { return !state.folded.contains(plot.name); };
+    const auto opened = std::count_if(state.plots.begin(), state.plots.end(), open);
+    const float em = ImGui::GetFontSize();
+    const float title = ImGui::GetTextLineHeightWithSpacing() + 2;
+    const float room = ImGui::GetContentRegionAvail().y - title * static_cast<float>(state.plots.size()) -
+                       (ImGui::GetStyle().ItemSpacing.y + 3) * static_cast<float>(opened) - 2.5F * em;
+    const float height = std::max(room / static_cast<float>(std::max<std::ptrdiff_t>(opened, 1)), 8 * em);
+    const auto times = shown_times(w);
+    const PlotInfo* last = nullptr;
+    for (const PlotInfo& plot : state.plots)
+        if (open(plot)) last = &plot;
+    for (const PlotInfo& plot : state.plots)
+        show_plot(w, plot, &plot == last ? height + 2 * em : height, times, &plot == last, cursor);
+}
+
+}  // namespace percuss::app

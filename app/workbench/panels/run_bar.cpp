@@ -1,0 +1,125 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "figures/ticks.hpp"
+#include "workbench/panels/panel.hpp"
+
+namespace percuss::app {
+namespace {
+
+/// "830", "4.87 k", "1.2 M"
+std::string count_text(double count) {
+    const double scale = count >= 1e6 ? 1e6 : count >= 1e3 ? 1e3 : 1;
+    return render::format_number(count / scale) + (scale == 1e6 ? " M" : scale == 1e3 ? " k" : "");
+}
+
+void show_buttons(Workbench& w, const Units& units, double duration) {
+    const float em = ImGui::GetFontSize();
+    const bool running = w.run.status() == RunStatus::running;
+    const bool ended = w.run.status() == RunStatus::finished || w.run.status() == RunStatus::diverged;
+    command_button(w, "run.toggle", running ? "Pause" : ended ? "Run again" : "Run", 6 * em);
+    ImGui::SameLine();
+    command_button(w, "run.step", "Step");
+    ImGui::SameLine(0, 1.4F * em);
+    ImGui::SetNextItemWidth(5 * em);
+    ImGui::InputInt("##step-count", &w.step_count, 0);
+    w.names.name("run.step-count");
+    tooltip("How many steps the next button makes.");
+    ImGui::SameLine();
+    command_button(w, "run.steps", "steps");
+    ImGui::SameLine(0, 1.4F * em);
+    // In the unit of the time beside it, not in that of the scene.
+    const DisplayUnit unit = units.display(Quantity::time, duration);
+    double until = unit.scale * w.until;
+    ImGui::SetNextItemWidth(5 * em);
+    if (ImGui::InputDouble("##until", &until, 0, 0, "%.6g")) w.until = until / unit.scale;
+    w.names.name("run.until-time");
+    tooltip(fmt::format("Simulated time at which the next button pauses [{}].", unit.label));
+    ImGui::SameLine();
+    command_button(w, "run.until", fmt::format("Run until [{}]", unit.label).c_str());
+    ImGui::SameLine(0, 1.4F * em);
+    command_button(w, "run.reset");
+    ImGui::SameLine();
+    command_button(w, "scene.reload");
+    ImGui::SameLine(0, 1.4F * em);
+    command_button(w, "view.fit");
+    ImGui::SameLine();
+    const bool kept = w.reference.has_value();
+    if (kept) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    command_button(w, "reference.toggle", kept ? "Drop reference" : "Keep as reference");
+    if (kept) ImGui::PopStyleColor();
+    if (!w.run.building()) return;
+    ImGui::SameLine(0, 1.4F * em);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored({0.83F, 0.37F, 0, 1}, "building the scene ...");
+}
+
+void show_progress(Workbench& w, const Snapshot& now) {
+    const Units& units = now.setup->scene.units;
+    const double duration = now.setup->scene.duration;
+    const DisplayUnit unit = units.display(Quantity::time, duration);
+    const std::string text = fmt::format("{}  t = {:.4g} of {:.4g} {}", status_word(w.run.status()),
+                                         unit.scale * now.time, unit.scale * duration, unit.label);
+    ImGui::ProgressBar(static_cast<float>(std::clamp(now.time / duration, 0.0, 1.0)),
+                       {22 * ImGui::GetFontSize(), 0}, text.c_str());
+    w.names.name("run.progress");
+    tooltip("Simulated time of the scene's duration.");
+    ImGui::SameLine(0, 1.4F * ImGui::GetFontSize());
+    ImGui::AlignTextToFramePadding();
+    std::string facts = fmt::format("step {}", now.step);
+    if (now.dt > 0)
+        facts += fmt::format("  of {}, {:.2f} critical", quantity_text(units, Quantity::time, now.dt),
+                             now.dt / now.critical_step);
+    if (w.run.speed() > 0)
+        facts += fmt::format("     {} a second, {} steps a second",
+                             quantity_text(units, Quantity::time, w.run.speed()),
+                             count_text(w.run.steps_per_second()));
+    ImGui::TextUnformatted(facts.c_str());
+    tooltip(
+        "Number and size of the last step, its fraction of the critical one, and how fast the run goes: "
+        "simulated time and steps for each second of yours.");
+}
+
+}  // namespace
+
+void show_run_bar(Workbench& w, const PanelArea& area) {
+    const Panel panel("run", area, true, false);
+    const auto& snapshot = w.run.snapshot();
+    if (!snapshot) {
+        ImGui::TextUnformatted(w.run.building() ? "building the scene ..." : "no scene yet");
+        return;
+    }
+    show_buttons(w, snapshot->setup->scene.units, snapshot->setup->scene.duration);
+    show_progress(w, *snapshot);
+}
+
+void show_time_spent(Workbench& w) {
+    if (!ImGui::CollapsingHeader("Time spent by the engine")) {
+        w.names.name("header.time-spent");
+        return;
+    }
+    w.names.name("header.time-spent");
+    const RunStatistics& s = w.run.statistics();
+    const std::pair<const char*, double> parts[] = {{"elements", s.seconds.elements},
+                                                    {"contact search", s.seconds.contact_search},
+                                                    {"contact solve", s.seconds.contact_solve},
+                                                    {"integration", s.seconds.integrate},
+                                                    {"histories", s.seconds.history}};
+    double total = 0;
+    for (const auto& [name, seconds] : parts) total += seconds;
+    for (const auto& [name, seconds] : parts) {
+        const double share = total > 0 ? seconds / total : 0;
+        ImGui::ProgressBar(static_cast<float>(share), {7 * ImGui::GetFontSize(), 0},
+                           fmt::format("{:.1f} %", 100 * share).c_str());
+        ImGui::SameLine();
+        ImGui::TextUnformatted(name);
+    }
+    if (s.step_seconds > 0)
+        ImGui::TextDisabled(
+            "%s element-steps a second",
+            count_text(static_cast<double>(s.cells) * static_cast<double>(s.steps) / s.step_seconds).c_str());
+}
+
+}  // namespace percuss::app

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "live/curves.hpp"
+#include "live/live_run.hpp"
+#include "live/reference.hpp"
+#include "ui/screen.hpp"
+#include "view/live_view.hpp"
+#include "view/pick.hpp"
+#include "workbench/widget_names.hpp"
+
+namespace percuss::app {
+
+/// Which part of the model the viewport shows.
+enum class Framing {
+    scene,   ///< the window that the scene's [view] asks for, if any, else all bodies
+    all,     ///< all bodies, followed as they fly
+    chosen,  ///< panned and zoomed by the user
+};
+
+struct ViewportState {
+    std::unique_ptr<render::LiveView> view;
+    std::shared_ptr<const RunSetup> setup;  // what `view` draws
+    ViewOptions options;
+    render::RangeMode range_mode = render::RangeMode::frame;
+    bool fixed_range = false;
+    std::array<double, 2> fixed{0, 1};  ///< [unit of the field, scene units]
+    Framing framing = Framing::scene;
+    std::optional<render::LiveCamera> camera;
+    bool dirty = true;           ///< something else than the snapshot has changed
+    std::filesystem::path file;  ///< of the scene whose view options these are
+    unsigned texture = 0;
+    std::shared_ptr<const Snapshot> drawn;
+    std::array<int, 2> drawn_size{0, 0};
+    render::Picked hovered;
+};
+
+struct PlotsState {
+    Curves curves;
+    std::vector<PlotInfo> plots;
+    std::vector<HistoryColumn> columns;  // that `plots` is for
+    std::set<std::string> toggled;       // "PLOT/LABEL" of curves whose visibility differs from the first one
+    std::set<std::string> folded;        // names of plots that are closed
+    std::optional<std::array<double, 2>> time;  ///< shown, [time]; absent: all
+    std::optional<double> cursor;               ///< time under the mouse
+};
+
+/// The window: what it shows and what can be done in it. Drawn once a frame; talks to the engine by commands,
+/// snapshots and histories alone.
+class Workbench {
+  public:
+    Workbench(render::Screen& screen_in, EngineOptions options)
+        : run(std::move(options)), screen(screen_in) {}
+
+    /// One frame of all panels, between Screen::begin_frame and Screen::end_frame.
+    void frame();
+    /// Whether the next frame would look like the last one if the user did nothing.
+    [[nodiscard]] bool at_rest() const;
+
+    /// A number or text of the workbench by name, for scripts: "time", "status", "parameters.shank", ...
+    using Value = std::variant<double, std::string>;
+    [[nodiscard]] std::optional<Value> value(const std::string& name) const;
+    [[nodiscard]] static std::vector<std::string> value_names();
+
+    void open(const std::filesystem::path& file) { run.open(file); }
+    void do_command(const std::string& name);
+    /// Shows a line for some seconds, e.g. where a screenshot went.
+    void tell(std::string words);
+    [[nodiscard]] const std::string& note() const { return note_; }
+
+    LiveRun run;
+    render::Screen& screen;
+    ViewportState viewport;
+    PlotsState plots;
+    std::optional<Reference> reference;  ///< the run that the present one is compared with
+    WidgetNames names;
+    bool panels = true, help = false, pick_scene = false;
+    bool reload_by_itself = true;
+    int step_count = 100;
+    double until = 0;  ///< of "run until" [time]
+    bool quit = false;
+    std::optional<std::filesystem::path> screenshot;  ///< to be written after this frame
+    long long frames = 0;
+
+  private:
+    std::string note_;
+    LiveRun::Clock::time_point note_until_;
+};
+
+}  // namespace percuss::app

@@ -1,0 +1,111 @@
+#include "live/curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "live/fuzzy.hpp"
+#include "live/reference.hpp"
+#include "run/history_columns.hpp"
+#include "scene/parse.hpp"
+
+namespace percuss::app {
+namespace {
+
+using testing::ElementsAre;
+
+std::shared_ptr<History> chatter(int rows) {
+    auto history = std::make_shared<History>(
+        std::vector<HistoryColumn>{{"time", Quantity::time}, {"force", Quantity::force}});
+    for (int i = 0; i < rows; ++i)
+        history->append(std::array{0.001 * i, i == 7777 ? 50.0 : i % 2 == 0 ? -1.0 : 1.0});
+    return history;
+}
+
+TEST(Curves, ASpikeOfOneStepIsDrawnAtFullHeight) {
+    Curves curves;
+    curves.follow(chatter(100000));
+    std::vector<CurvePoint> points;
+    decimate(curves, curves.column(1), 0, 100, 300, points);
+    EXPECT_LE(points.size(), 2U * 300 + 2);
+    const auto highest = std::max_element(points.begin(), points.end(),
+                                          [](const auto& a, const auto& b) { return a.value < b.value; });
+    EXPECT_EQ(highest->value, 50);
+    EXPECT_NEAR(highest->time, 7.777, 100.0 / 300);
+    // Chatter fills its band in every part.
+    const auto low = std::count_if(points.begin(), points.end(), [](const auto& p) { return p.value == -1; });
+    EXPECT_GE(low, 299);
+}
+
+TEST(Curves, FewPointsAreDrawnAsTheyAre) {
+    Curves curves;
+    curves.follow(chatter(100000));
+    std::vector<CurvePoint> points;
+    decimate(curves, curves.column(1), 7.7755, 7.7785, 300, points);
+    ASSERT_EQ(points.size(), 5U);  // three inside, one beyond either end
+    EXPECT_NEAR(points[2].time, 7.777, 1e-12);
+    EXPECT_EQ(points[2].value, 50);
+}
+
+TEST(Curves, NewRowsAreAddedAndAnotherHistoryBeginsAnew) {
+    auto history = chatter(10);
+    Curves curves;
+    curves.follow(history);
+    EXPECT_EQ(curves.column(1).size(), 10U);
+    history->append(std::array{0.01, 99.0});
+    curves.follow(history);
+    EXPECT_EQ(curves.rows(), 11U);
+    EXPECT_EQ(curves.column(1)[10], 99);
+    curves.follow(chatter(3));
+    EXPECT_EQ(curves.column(1).size(), 3U);
+}
+
+TEST(Curves, AScenesPlotsHaveTheMainDirectionOpen) {
+    const Scene scene = load_scene(std::string(PERCUSS_SOURCE_DIR) + "/scenes/rods.toml");
+    const auto columns = history_columns(scene);
+    const auto plots = plots_of(scene, columns);
+    std::vector<std::string> open;
+    for (const PlotInfo& plot : plots) {
+        if (!plot.folded) open.push_back(plot.name);
+        for (const CurveInfo& curve : plot.curves) EXPECT_EQ(columns[curve.column].quantity, plot.quantity);
+    }
+    EXPECT_THAT(std::vector(open.begin(), open.begin() + 4),
+                ElementsAre("forces.axial", "velocities.axial", "energies", "step"));
+    EXPECT_EQ(columns[plots[0].curves[0].column].name, "contact.impact.axial");
+    EXPECT_EQ(plots[0].curves[0].label, "impact");
+}
+
+TEST(Reference, ComparesPeaksUpToTheTimeThatBothHave) {
+    const auto run = [](int rows, double peak) {
+        auto history = std::make_shared<History>(
+            std::vector<HistoryColumn>{{"time", Quantity::time}, {"contact.a.y", Quantity::force}});
+        for (int i = 0; i < rows; ++i)
+            history->append(std::array{0.1 * i, i == 3 ? -peak : i == 8 ? 100.0 : 1.0});
+        return history;
+    };
+    const auto present = run(6, 4), kept = run(10, 5);
+    Curves curves;
+    curves.follow(present);
+    Reference reference{kept, nullptr, {}};
+    reference.follow(present, nullptr);
+    const std::vector<PlotInfo> plots{{"forces.y", "", Quantity::force, {{1, "a"}}}};
+    const auto peaks = peak_differences(plots, present->columns(), curves, reference);
+    ASSERT_EQ(peaks.size(), 1U);
+    EXPECT_EQ(peaks[0].present, -4);
+    EXPECT_EQ(peaks[0].reference, -5) << "the 100 comes later than the present run has got";
+}
+
+TEST(Fuzzy, LettersInOrderClosestFirst) {
+    const std::vector<std::string> scenes{"scenes/nail.toml", "scenes/rods.toml",
+                                          "scenes/hard/narrow-lid.toml"};
+    EXPECT_THAT(fuzzy_matches("nail", scenes),
+                ElementsAre("scenes/nail.toml", "scenes/hard/narrow-lid.toml"));
+    EXPECT_THAT(fuzzy_matches("RD", scenes), ElementsAre("scenes/hard/narrow-lid.toml", "scenes/rods.toml"));
+    EXPECT_THAT(fuzzy_matches("xyz", scenes), ElementsAre());
+    EXPECT_EQ(fuzzy_matches("", scenes), scenes);
+}
+
+}  // namespace
+}  // namespace percuss::app
