@@ -131,6 +131,21 @@ TEST(FrictionalContact, IsChosenOnlyWhereAPairCallsForIt) {
     EXPECT_FALSE(kind(stack()));
 }
 
+// Positions were changed from outside: rows of the last step would be of other positions.
+TEST(FrictionalContact, ForgetsItsRowsAtARestart) {
+    Rng random(44);
+    RandomStep step(rough_stack(0.3), random);
+    step.resolve();
+    ASSERT_FALSE(step.contact.rows(0).empty());
+    ASSERT_FALSE(step.contact.friction_rows(0).empty());
+    step.contact.restart(std::vector<std::vector<std::int32_t>>(5));
+    for (std::size_t pair = 0; pair < 5; ++pair) {
+        EXPECT_TRUE(step.contact.rows(pair).empty());
+        EXPECT_TRUE(step.contact.friction_rows(pair).empty());
+        EXPECT_EQ(step.contact.sticking(pair), 0);
+    }
+}
+
 TEST(FrictionalContact, StepsWithoutAllocation) {
     Solver solver(rough_stack(0.3, {"body.c.velocity=[3, -20]", "body.d.velocity=[-10, 0]"}));
     for (int k = 0; k < 5; ++k) ASSERT_FALSE(solver.step());
