@@ -284,21 +284,6 @@ TEST(Friction, ForcesOnNodesAddUpToThePairs) {
     EXPECT_NEAR(pair.force[0], pair.friction[0], 1e-15) << "the floor is level";
 }
 
-TEST(Friction, StateGoesOnAsIfNeverInterrupted) {
-    Solver solver(sliding_block(0.3, 0.02, 0.1));
-    for (int k = 0; k < 300; ++k) ASSERT_FALSE(solver.step());
-    const SolverState saved = solver.save();
-    const auto finish = [&] {
-        while (!solver.finished()) ASSERT_FALSE(solver.step());
-    };
-    finish();
-    const RunStatistics first = solver.statistics();
-    solver.restore(saved);
-    finish();
-    EXPECT_EQ(first.state_hash, solver.statistics().state_hash);
-    EXPECT_EQ(first.pairs[0].friction_work, solver.statistics().pairs[0].friction_work);
-}
-
 TEST(Friction, CoefficientZeroIsNoFriction) {
     RecordedRun without(sliding_block(0.3, 0.02, 0.02, {"contact.sole.friction=0"})),
         rough(sliding_block(0.3, 0.02, 0.02));

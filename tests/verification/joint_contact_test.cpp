@@ -84,20 +84,6 @@ TEST(JointContact, CornerOfThreeBodiesKeepsMomentumAndEnergy) {
     EXPECT_LT(run.unexplained_energy() / s.initial_energy, 1e-9);
 }
 
-TEST(JointContact, StateGoesOnAsIfNeverInterrupted) {
-    Solver solver(corner());
-    while (solver.snapshot()->pairs[1].active == 0) ASSERT_FALSE(solver.step());
-    const SolverState saved = solver.save();
-    const auto finish = [&] {
-        while (!solver.finished()) ASSERT_FALSE(solver.step());
-    };
-    finish();
-    const RunStatistics first = solver.statistics();
-    solver.restore(saved);
-    finish();
-    EXPECT_EQ(first.state_hash, solver.statistics().state_hash);
-}
-
 // A block at rest on a held floor under its weight: nothing may creep or shake.
 TEST(JointContact, BlockRestsUnderItsWeight) {
     Scene scene = scene_of(scene_head("plane strain", 0.5, 0.3) +
