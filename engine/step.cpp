@@ -308,13 +308,11 @@ Solver::RowSums Solver::sum_rows(std::span<const ContactRow> rows) const {
     RowSums sums;
     for (const ContactRow& row : rows) {
         if (row.force == 0) continue;
-        double rate_before = 0, rate_after = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double* before = &velocity_before_contact_[2 * static_cast<std::size_t>(row.node[k])];
-            const double* after = state_.nodes[static_cast<std::size_t>(row.node[k])].v;
-            rate_before += row.share[k] * (row.normal[0] * before[0] + row.normal[1] * before[1]);
-            rate_after += row.share[k] * (row.normal[0] * after[0] + row.normal[1] * after[1]);
-        }
+        const double rate_before = along(row, [&](std::int32_t node) {
+            return &velocity_before_contact_[2 * static_cast<std::size_t>(node)];
+        });
+        const double rate_after =
+            along(row, [&](std::int32_t node) { return state_.nodes[static_cast<std::size_t>(node)].v; });
         const double half_impulse = 0.5 * kick_ * row.force;
         sums.work_before += half_impulse * rate_before;
         sums.work += half_impulse * (rate_before + rate_after);

@@ -19,4 +19,16 @@ struct ContactRow {
     std::int32_t master = 0;         ///< index of the master node within its surface
 };
 
+/// How a vector of the three nodes acts along a row: the gap rate, by velocities. @param of node -> pointer
+/// to its two components.
+template <class VectorOf>
+[[nodiscard]] double along(const ContactRow& row, VectorOf of) {
+    double sum = 0;
+    for (std::size_t slot = 0; slot < 3; ++slot) {
+        const auto v = of(row.node[slot]);
+        sum += row.share[slot] * (row.normal[0] * v[0] + row.normal[1] * v[1]);
+    }
+    return sum;
+}
+
 }  // namespace percuss

@@ -87,12 +87,8 @@ void FrictionalContact::choose_tangents(const PredictedMotion& motion) {
             if (pair.friction == 0) continue;
             ContactRow& tangent = tangents_.emplace_back(rows_[static_cast<std::size_t>(*k)]);
             tangent.normal = {-tangent.normal[1], tangent.normal[0]};
-            double slip_rate = 0;
-            for (std::size_t slot = 0; slot < 3; ++slot) {
-                const double* v = motion.nodes[tangent.node[slot]].v;
-                slip_rate += tangent.share[slot] * (tangent.normal[0] * v[0] + tangent.normal[1] * v[1]);
-            }
-            tangent.penetration = -motion.dt * slip_rate;
+            tangent.penetration =
+                -motion.dt * along(tangent, [&](std::int32_t node) { return motion.nodes[node].v; });
             tangent.force = 0;
             grips_.push_back({pair.friction, *k, false});
         }

@@ -182,14 +182,11 @@ void JointContact::add_impulse(const ContactRow& row, const PredictedMotion& mot
 /// By how much the impulses so far move a row's master node along the row's normal, away from the slave side,
 /// within the step [length].
 double JointContact::opening(const ContactRow& row, const PredictedMotion& motion) {
-    double change = 0;
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-        const std::int32_t node = row.node[slot];
-        const double *inverse_mass = motion.inverse_mass + 2 * node, *impulse = motion.impulse + 2 * node;
-        change += row.share[slot] * (row.normal[0] * (inverse_mass[0] * impulse[0]) +
-                                     row.normal[1] * (inverse_mass[1] * impulse[1]));
-    }
-    return motion.dt * change;
+    return motion.dt * along(row, [&](std::int32_t node) {
+               const double *inverse_mass = motion.inverse_mass + 2 * node,
+                            *impulse = motion.impulse + 2 * node;
+               return std::array{inverse_mass[0] * impulse[0], inverse_mass[1] * impulse[1]};
+           });
 }
 
 double JointContact::deepest_penetration() const {
