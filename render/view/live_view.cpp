@@ -14,14 +14,12 @@
 
 #include "context/render_window.hpp"
 #include "view/aim.hpp"
-#include "view/colour_map.hpp"
+#include "view/coloured_mesh.hpp"
 #include "view/force_arrows.hpp"
 #include "view/force_scale.hpp"
 #include "view/ground.hpp"
 #include "view/legend.hpp"
 #include "view/motion_labels.hpp"
-#include "view/run_extent.hpp"
-#include "view/surface.hpp"
 #include "vtk_canvas.hpp"
 
 namespace percuss::render {
@@ -38,7 +36,7 @@ struct LiveView::Impl {
             window->AddRenderer(renderer);
         }
         ground_ink->painter = [this](Canvas& canvas) {
-            paint_ground(canvas, setup->scene, plane, fit, model, scale);
+            paint_ground(canvas, setup->scene, mesh.plane, fit, model, scale);
         };
         ground_actor->GetScene()->AddItem(ground_ink);
         ground->AddActor(ground_actor);
@@ -56,16 +54,11 @@ struct LiveView::Impl {
     ViewOptions options;
     RangeMode mode = RangeMode::frame;
     std::optional<LiveCamera> camera;
-    FieldInfo field;
-    Plane plane;
     vtkSmartPointer<RenderWindow> window;
     vtkNew<vtkRenderer> ground, stage;  // walls and axis; mesh
     vtkNew<CanvasItem> ground_ink;
     vtkNew<vtkContextActor> ground_actor;
-    std::unique_ptr<Surface> surface;
-    vtkSmartPointer<vtkLookupTable> colours;
-    vtkSmartPointer<vtkImageData> strip;
-    std::optional<RunExtent> extent;
+    ColouredMesh mesh;                  // on the stage, which outlives it
     std::optional<ColourRange> widest;  // of all frames since the field was chosen
     double start_cell_size = 0;         // [length]
 
@@ -81,40 +74,21 @@ struct LiveView::Impl {
 };
 
 void LiveView::Impl::apply(ViewOptions chosen, RangeMode wanted_mode) {
-    const Scene& scene = setup->scene;
-    try {
-        FieldInfo found = find_field(scene, chosen.field);
-        if (found.name != field.name) widest.reset();
-        field = std::move(found);
-    } catch (const std::invalid_argument& error) {
-        throw RenderError(error.what());
-    }
-    colours = make_colour_map(chosen.colour_map);
-    strip = colour_strip(*colours);
-    const Plane wanted{chosen.up, chosen.mirror && scene.geometry == Geometry::axisymmetric};
-    if (!surface || wanted.up != plane.up || wanted.mirrored != plane.mirrored) {
-        plane = wanted;
-        surface.reset();
-        surface = std::make_unique<Surface>(setup->mesh, plane, *stage);
-        extent.emplace(*setup, plane);
-    }
+    const std::string before = mesh.field.name;
+    mesh.apply(setup, chosen, *stage);
+    if (mesh.field.name != before) widest.reset();
     options = std::move(chosen);
     mode = wanted_mode;
 }
 
 void LiveView::Impl::colour() {
-    values = field_values(*now, field);
-    range = colour_range(values, options, options.colour_map == "coolwarm", natural_size(*setup, field));
+    values = field_values(*now, mesh.field);
+    range = colour_range(values, options, options.colour_map == "coolwarm", natural_size(*setup, mesh.field));
     if (mode == RangeMode::all_time) {
         if (widest) range = {std::min(range[0], (*widest)[0]), std::max(range[1], (*widest)[1])};
         widest = range;
     }
-    // VTK needs a span; the middle of the table then stands for a constant field.
-    const double half = range[1] > range[0] ? 0 : std::max(1.0, std::abs(range[0]));
-    surface->update(now->position, values, field.per_cell);
-    surface->set_colours(colours, {range[0] - half, range[1] + half});
-    const double opacity = edge_opacity(cell_size / scale);
-    surface->set_edges(options.edges && opacity > 0.02, opacity);
+    mesh.show(*now, values, range, options.edges, cell_size / scale);
 }
 
 unsigned LiveView::Impl::draw(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> wanted_size,
@@ -123,7 +97,7 @@ unsigned LiveView::Impl::draw(std::shared_ptr<const Snapshot> snapshot, std::arr
     size = {std::max(wanted_size[0], 64), std::max(wanted_size[1], 64)};
     scale = ink_scale;
     window->resize(size[0], size[1]);
-    extent->follow(*now, plane);
+    mesh.extent->follow(*now, mesh.plane);
     const double legend_height = std::min(70 * scale, 0.4 * size[1]), pad = 16 * scale;
     legend = {pad, 0, size[0] - 2 * pad, legend_height};
     model = {0, legend_height, static_cast<double>(size[0]), size[1] - legend_height};
@@ -133,10 +107,10 @@ unsigned LiveView::Impl::draw(std::shared_ptr<const Snapshot> snapshot, std::arr
                       model.y + 0.5 * model.height - fit.pixels_per_unit * camera->centre[1]};
     } else {
         const double s = scale;
-        fit = fit_box(extent->box, model,
+        fit = fit_box(mesh.extent->box, model,
                       options.velocities ? std::array{34 * s, 40 * s} : std::array{12 * s, 12 * s});
     }
-    forces = make_force_scaling(options, extent->largest_force, 0.15 * std::min(size[0], size[1]));
+    forces = make_force_scaling(options, mesh.extent->largest_force, 0.15 * std::min(size[0], size[1]));
     cell_size = fit.pixels_per_unit * start_cell_size;
     aim(*stage, fit, model, size);
     colour();
@@ -157,7 +131,7 @@ void LiveView::show(std::shared_ptr<const RunSetup> setup, const ViewOptions& op
         throw RenderError(fault);
     impl_->setup = std::move(setup);
     impl_->now.reset();
-    impl_->surface.reset();
+    impl_->mesh.surface.reset();
     impl_->widest.reset();
     impl_->start_cell_size = mean_cell_size(impl_->setup->mesh);
     impl_->apply(options, impl_->mode);
@@ -178,29 +152,30 @@ void LiveView::paint(Canvas& canvas) const {
     // What has no room is left out, the reference arrow first.
     const bool arrows = view.options.forces && !scene.contacts.empty() && legend.width > 500 * s;
     const bool length = legend.width > 300 * s;
-    const double column =
-        std::min({420 * s, arrows ? 0.36 * legend.width : 0.6 * legend.width, legend.width - (arrows ? 380 * s : 0)});
-    paint_colour_bar(canvas, {legend.x, legend.y, column, legend.height}, s, view.field.title,
-                     view.field.quantity, view.range, scene.units, view.strip);
+    const double column = std::min(
+        {420 * s, arrows ? 0.36 * legend.width : 0.6 * legend.width, legend.width - (arrows ? 380 * s : 0)});
+    paint_colour_bar(canvas, {legend.x, legend.y, column, legend.height}, s, view.mesh.field.title,
+                     view.mesh.field.quantity, view.range, scene.units, view.mesh.strip);
     if (arrows)
         paint_force_legend(canvas, {legend.x + column + 28 * s, legend.y, 0, legend.height}, s, view.forces,
                            scene.units);
     if (length)
-        paint_scale_bar(canvas, legend.right(), legend.y + 32.5 * s, s, view.fit.pixels_per_unit, scene.units);
+        paint_scale_bar(canvas, legend.right(), legend.y + 32.5 * s, s, view.fit.pixels_per_unit,
+                        scene.units);
     std::vector<Rect> taken;
     if (view.options.forces)
-        taken = paint_force_arrows(canvas, *view.now, view.plane, view.fit, view.model, view.forces,
+        taken = paint_force_arrows(canvas, *view.now, view.mesh.plane, view.fit, view.model, view.forces,
                                    view.cell_size, s);
     if (view.options.velocities)
-        paint_motion(canvas, *view.now, view.plane, view.fit, view.model, s, view.extent->fastest,
+        paint_motion(canvas, *view.now, view.mesh.plane, view.fit, view.model, s, view.mesh.extent->fastest,
                      0.1 * std::min(view.size[0], view.size[1]), std::move(taken));
 }
 
 const Fit& LiveView::fit() const { return impl_->fit; }
 const Rect& LiveView::model() const { return impl_->model; }
 ColourRange LiveView::range() const { return impl_->range; }
-const Plane& LiveView::plane() const { return impl_->plane; }
-const FieldInfo& LiveView::field() const { return impl_->field; }
+const Plane& LiveView::plane() const { return impl_->mesh.plane; }
+const FieldInfo& LiveView::field() const { return impl_->mesh.field; }
 double LiveView::value(std::size_t index) const { return impl_->values[index]; }
 
 LiveCamera LiveView::camera() const {

@@ -11,22 +11,20 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include "vtk_canvas.hpp"
 #include "context/render_window.hpp"
 #include "figures/plot.hpp"
 #include "run/fields.hpp"
 #include "view/aim.hpp"
-#include "view/colour_map.hpp"
 #include "view/colour_range.hpp"
+#include "view/coloured_mesh.hpp"
 #include "view/force_arrows.hpp"
 #include "view/force_scale.hpp"
 #include "view/ground.hpp"
 #include "view/layout.hpp"
 #include "view/legend.hpp"
 #include "view/motion_labels.hpp"
-#include "view/run_extent.hpp"
 #include "view/side_charts.hpp"
-#include "view/surface.hpp"
+#include "vtk_canvas.hpp"
 
 namespace percuss::render {
 
@@ -45,19 +43,13 @@ struct View::Impl {
 
     std::shared_ptr<const RunSetup> setup;
     ViewOptions options;
-    FieldInfo field;
     double start_cell_size = 0;  // side of a mean cell of the undeformed mesh [length]
-    Plane plane;
     vtkSmartPointer<RenderWindow> window;
     vtkNew<vtkRenderer> ground, stage, overlay;  // axis line; mesh, clipped to its rectangle; ink and charts
     vtkNew<CanvasItem> ground_ink, overlay_ink;
     vtkNew<vtkContextActor> ground_actor, overlay_actor;
-    std::unique_ptr<Surface> surface;
-    vtkSmartPointer<vtkLookupTable> colours;
-    vtkSmartPointer<vtkImageData> strip;
+    ColouredMesh mesh;  // on the stage, which outlives it
     std::vector<std::unique_ptr<Plot>> plots;
-
-    std::optional<RunExtent> extent;
 
     // Of the picture being drawn.
     const Snapshot* now = nullptr;
@@ -79,7 +71,7 @@ View::Impl::Impl(Context& context, std::shared_ptr<const RunSetup> run, ViewOpti
         window->AddRenderer(renderer);
     }
     ground_ink->painter = [this](Canvas& canvas) {
-        paint_ground(canvas, setup->scene, plane, fit, layout.model, layout.scale);
+        paint_ground(canvas, setup->scene, mesh.plane, fit, layout.model, layout.scale);
     };
     overlay_ink->painter = [this](Canvas& canvas) { paint_overlay(canvas); };
     ground_actor->GetScene()->AddItem(ground_ink);
@@ -93,35 +85,15 @@ View::Impl::Impl(Context& context, std::shared_ptr<const RunSetup> run, ViewOpti
 void View::Impl::apply_options(ViewOptions chosen) {
     if (chosen.size[0] < 64 || chosen.size[1] < 64)
         throw RenderError("a picture needs at least 64 x 64 pixels");
-    const Scene& scene = setup->scene;
-    try {
-        field = find_field(scene, chosen.field);
-    } catch (const std::invalid_argument& error) {
-        throw RenderError(error.what());
-    }
-    colours = make_colour_map(chosen.colour_map);
-    strip = colour_strip(*colours);
-    const Plane wanted{chosen.up, chosen.mirror && scene.geometry == Geometry::axisymmetric};
-    if (!surface || wanted.up != plane.up || wanted.mirrored != plane.mirrored) {
-        plane = wanted;
-        surface.reset();
-        surface = std::make_unique<Surface>(setup->mesh, plane, *stage);
-        extent.emplace(*setup, plane);
-    }
+    mesh.apply(setup, chosen, *stage);
     options = std::move(chosen);
     window->resize(options.size[0], options.size[1]);
 }
 
 void View::Impl::colour(const Snapshot& snapshot) {
-    const std::vector<double> values = field_values(snapshot, field);
-    range = colour_range(values, options, options.colour_map == "coolwarm", natural_size(*setup, field));
-    // VTK needs a span; the middle of the table then stands for a constant field.
-    const double half = range[1] > range[0] ? 0 : std::max(1.0, std::abs(range[0]));
-    surface->update(snapshot.position, values, field.per_cell);
-    surface->set_colours(colours, {range[0] - half, range[1] + half});
-    // Edges fade as they come closer together than the eye resolves.
-    const double opacity = edge_opacity(cell_size / layout.scale);
-    surface->set_edges(options.edges && opacity > 0.02, opacity);
+    const std::vector<double> values = field_values(snapshot, mesh.field);
+    range = colour_range(values, options, options.colour_map == "coolwarm", natural_size(*setup, mesh.field));
+    mesh.show(snapshot, values, range, options.edges, cell_size / layout.scale);
 }
 
 void View::Impl::show_charts(const Snapshot& snapshot, const History* history) {
@@ -143,11 +115,11 @@ void View::Impl::show_charts(const Snapshot& snapshot, const History* history) {
 
 Image View::Impl::draw(const Snapshot& snapshot, const History* history) {
     now = &snapshot;
-    extent->follow(snapshot, plane);
-    std::array<double, 4> shown = extent->box;
+    mesh.extent->follow(snapshot, mesh.plane);
+    std::array<double, 4> shown = mesh.extent->box;
     if (options.window) {
         const auto& chosen = *options.window;
-        const auto a = plane(chosen[0], chosen[1]), b = plane(chosen[2], chosen[3]);
+        const auto a = mesh.plane(chosen[0], chosen[1]), b = mesh.plane(chosen[2], chosen[3]);
         shown = {a[0], a[1], b[0], b[1]};
     }
     const bool charts = history != nullptr && history->rows() > 0;
@@ -158,7 +130,7 @@ Image View::Impl::draw(const Snapshot& snapshot, const History* history) {
     // Room for the velocity labels around the bodies; a window of one's own is filled.
     const bool labels = options.velocities && !options.window;
     fit = fit_box(shown, layout.model, labels ? std::array{34 * s, 40 * s} : std::array{8 * s, 8 * s});
-    forces = make_force_scaling(options, extent->largest_force, 0.13 * options.size[1]);
+    forces = make_force_scaling(options, mesh.extent->largest_force, 0.13 * options.size[1]);
     cell_size = fit.pixels_per_unit * start_cell_size;
     aim(*stage, fit, layout.model, options.size);
     colour(snapshot);
@@ -196,17 +168,18 @@ void View::Impl::paint_overlay(Canvas& canvas) const {
     paint_title(canvas);
     const Rect& legend = layout.legend;
     const double column = std::min(0.36 * legend.width, 420 * s);
-    paint_colour_bar(canvas, {legend.x, legend.y, column, legend.height}, s, field.title, field.quantity,
-                     range, scene.units, strip);
+    paint_colour_bar(canvas, {legend.x, legend.y, column, legend.height}, s, mesh.field.title,
+                     mesh.field.quantity, range, scene.units, mesh.strip);
     if (options.forces && !scene.contacts.empty())
         paint_force_legend(canvas, {legend.x + column + 44 * s, legend.y, 0, legend.height}, s, forces,
                            scene.units);
     paint_scale_bar(canvas, legend.right(), legend.y + 32.5 * s, s, fit.pixels_per_unit, scene.units);
     std::vector<Rect> taken;
-    if (options.forces) taken = paint_force_arrows(canvas, *now, plane, fit, layout.model, forces, cell_size, s);
+    if (options.forces)
+        taken = paint_force_arrows(canvas, *now, mesh.plane, fit, layout.model, forces, cell_size, s);
     if (options.velocities)
-        paint_motion(canvas, *now, plane, fit, layout.model, s, extent->fastest, 0.09 * options.size[1],
-                     std::move(taken));
+        paint_motion(canvas, *now, mesh.plane, fit, layout.model, s, mesh.extent->fastest,
+                     0.09 * options.size[1], std::move(taken));
 }
 
 View::View(Context& context, std::shared_ptr<const RunSetup> setup, ViewOptions options)
