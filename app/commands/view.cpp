@@ -88,6 +88,7 @@ int view(const ViewCommand& command) {
     screen->set_dark(command.dark);
     EngineOptions options;
     options.threads = command.threads;
+    options.state_memory = options.frame_memory = 0;  // nothing in the window goes back yet
     Workbench workbench(*screen, std::move(options));
     if (command.scene.empty())
         workbench.pick_scene = !player;

@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "run/in_flight.hpp"
 #include "scene/parse.hpp"
 
 namespace percuss::app {
@@ -50,7 +51,7 @@ void LiveRun::dismiss_messages() {
 }
 
 void LiveRun::set(const std::string& key, const std::string& value) {
-    if (key.starts_with("model.step.") && engine_ && !building_) {
+    if (effect_of_change(key) == ChangeEffect::next_step && engine_ && !building_) {
         engine_->post(command::Set{key, value});
         settings_[key] = value;
         return;
@@ -119,7 +120,6 @@ void LiveRun::take_over(Built built) {
     file_ = being_built_.file;
     overrides_ = being_built_.overrides;
     settings_ = being_built_.settings;
-    moments_.clear();
     if (being_built_.start) engine_->post(command::Run{});
 }
 
@@ -146,9 +146,7 @@ void LiveRun::step(std::int64_t count) {
 }
 
 void LiveRun::reset() {
-    if (!engine_) return;
-    engine_->post(command::Reset{});
-    moments_.clear();
+    if (engine_) engine_->post(command::Reset{});
 }
 
 void LiveRun::update() {
@@ -165,29 +163,7 @@ void LiveRun::update() {
     history_ = engine_->history();
     statistics_ = engine_->statistics();
     for (std::string& message : engine_->take_messages()) messages_.push_back(std::move(message));
-    measure_speed();
-}
-
-void LiveRun::measure_speed() {
-    const Clock::time_point now = Clock::now();
-    if (!moments_.empty() && snapshot_->step < moments_.back().step) moments_.clear();
-    moments_.push_back({now, snapshot_->time, snapshot_->step});
-    while (moments_.size() > 2 && now - moments_.front().wall > std::chrono::milliseconds(1200))
-        moments_.pop_front();
-}
-
-double LiveRun::speed() const {
-    if (moments_.size() < 2) return 0;
-    const double seconds =
-        std::chrono::duration<double>(moments_.back().wall - moments_.front().wall).count();
-    return seconds > 0 ? (moments_.back().time - moments_.front().time) / seconds : 0;
-}
-
-double LiveRun::steps_per_second() const {
-    if (moments_.size() < 2) return 0;
-    const double seconds =
-        std::chrono::duration<double>(moments_.back().wall - moments_.front().wall).count();
-    return seconds > 0 ? static_cast<double>(moments_.back().step - moments_.front().step) / seconds : 0;
+    speed_ = engine_->progress().speed;
 }
 
 bool LiveRun::file_changed() const {

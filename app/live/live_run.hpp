@@ -1,7 +1,5 @@
 #pragma once
 
-#include <chrono>
-#include <deque>
 #include <filesystem>
 #include <future>
 #include <map>
@@ -19,8 +17,6 @@ namespace percuss::app {
 /// publishes is taken as it is, and a scene that cannot be used leaves the present one as it was.
 class LiveRun {
   public:
-    using Clock = std::chrono::steady_clock;
-
     /// @param options for all engines.
     explicit LiveRun(EngineOptions options = {}) : options_(std::move(options)) {}
     ~LiveRun();
@@ -31,9 +27,9 @@ class LiveRun {
     void open(std::filesystem::path file, const std::vector<std::string>& overrides = {});
     /// The same file anew, with the values set here; after a refusal, what was refused.
     void reload();
-    /// Sets a value of the scene ("parameters.bore", "4.5"). The time step changes in flight; anything else
-    /// builds a new run, which starts when the old one had. Calls during a build wait for it, the last one
-    /// for each key counts.
+    /// Sets a value of the scene ("parameters.bore", "4.5"). What can act from the next step on does
+    /// (effect_of_change); anything else builds a new run, which starts when the old one had. Calls during a
+    /// build wait for it, the last one for each key counts.
     void set(const std::string& key, const std::string& value);
     void forget(const std::string& key);  ///< its value is that of the file again
     void forget_settings();               ///< all values as they are in the file
@@ -57,9 +53,7 @@ class LiveRun {
     [[nodiscard]] const std::shared_ptr<const History>& history() const { return history_; }
     [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
     [[nodiscard]] RunStatus status() const { return status_; }
-    /// Simulated time per wall second, over the last second or so; 0 at rest [time/s].
-    [[nodiscard]] double speed() const;
-    [[nodiscard]] double steps_per_second() const;
+    [[nodiscard]] double speed() const { return speed_; }  ///< as RunProgress::speed
     /// Why the last scene or value was refused, one line a fault; empty when it was not.
     [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
@@ -80,17 +74,11 @@ class LiveRun {
         std::unique_ptr<Engine> engine;
         std::vector<std::string> messages, warnings;
     };
-    struct Moment {
-        Clock::time_point wall;
-        double time;
-        std::int64_t step;
-    };
 
     void request(Request wanted);
     void begin(Request wanted);
     void take_over(Built built);
     void retire(std::unique_ptr<Engine> engine);
-    void measure_speed();
     [[nodiscard]] Request present() const;
     [[nodiscard]] Built build(const Request& wanted) const;
 
@@ -113,7 +101,7 @@ class LiveRun {
     RunStatistics statistics_;
     RunStatus status_ = RunStatus::paused;
     std::vector<std::string> messages_, warnings_;
-    std::deque<Moment> moments_;
+    double speed_ = 0;
 };
 
 }  // namespace percuss::app

@@ -37,7 +37,7 @@ void Workbench::frame() {
     names.begin_frame();
     for (const std::filesystem::path& file : screen.take_dropped_files()) open(file);
     watch_file(*this);
-    if (LiveRun::Clock::now() > note_until_) note_.clear();
+    if (std::chrono::steady_clock::now() > note_until_) note_.clear();
     run.update();
     if (reference) reference->follow(run.history(), run.snapshot());
     obey_keys(*this);
@@ -78,7 +78,7 @@ bool Workbench::at_rest() const {
 
 void Workbench::tell(std::string words) {
     note_ = std::move(words);
-    note_until_ = LiveRun::Clock::now() + std::chrono::seconds(5);
+    note_until_ = std::chrono::steady_clock::now() + std::chrono::seconds(5);
 }
 
 void Workbench::do_command(const std::string& name) {

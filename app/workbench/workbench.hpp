@@ -92,7 +92,7 @@ class Workbench {
 
   private:
     std::string note_;
-    LiveRun::Clock::time_point note_until_;
+    std::chrono::steady_clock::time_point note_until_;
 };
 
 }  // namespace percuss::app

@@ -72,10 +72,10 @@ void show_progress(Workbench& w, const Snapshot& now) {
     if (now.dt > 0)
         facts += fmt::format("  of {}, {:.2f} critical", quantity_text(units, Quantity::time, now.dt),
                              now.dt / now.critical_step);
-    if (w.run.speed() > 0)
+    if (w.run.speed() > 0 && now.dt > 0)
         facts += fmt::format("     {} a second, {} steps a second",
                              quantity_text(units, Quantity::time, w.run.speed()),
-                             count_text(w.run.steps_per_second()));
+                             count_text(w.run.speed() / now.dt));
     ImGui::TextUnformatted(facts.c_str());
     tooltip(
         "Number and size of the last step, its fraction of the critical one, and how fast the run goes: "
