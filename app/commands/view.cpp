@@ -88,7 +88,6 @@ int view(const ViewCommand& command) {
     screen->set_dark(command.dark);
     EngineOptions options;
     options.threads = command.threads;
-    options.state_memory = options.frame_memory = 0;  // nothing in the window goes back yet
     Workbench workbench(*screen, std::move(options));
     if (command.scene.empty())
         workbench.pick_scene = !player;
@@ -135,7 +134,8 @@ void add_view(CLI::App& app, Job& job) {
         ->capture_default_str();
     command.add_flag("--dark", options->dark, "light letters on dark panels");
     command.add_option("--script", options->script, "play this script, then close")->type_name("FILE");
-    command.add_flag("--headless", options->headless, "no window and no display: a script draws into memory");
+    command.add_flag("--offscreen,--headless", options->headless,
+                     "no window and no display: a script draws into memory");
     command.callback([&job, options] { job = [options] { return view(*options); }; });
 }
 

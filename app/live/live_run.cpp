@@ -166,6 +166,12 @@ void LiveRun::update() {
     speed_ = engine_->progress().speed;
 }
 
+std::shared_ptr<const Snapshot> LiveRun::frame_at(double time) const {
+    return engine_ ? engine_->frame_at(time) : nullptr;
+}
+
+Timeline LiveRun::timeline() const { return engine_ ? engine_->timeline() : Timeline{}; }
+
 bool LiveRun::file_changed() const {
     if (building_ || (file_.empty() && !refused_)) return false;
     const auto time = time_of(refused_ ? being_built_.file : file_);

@@ -53,6 +53,9 @@ class LiveRun {
     [[nodiscard]] const std::shared_ptr<const History>& history() const { return history_; }
     [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
     [[nodiscard]] RunStatus status() const { return status_; }
+    /// The newest kept moment that is not later than `time`; null when there is none [time].
+    [[nodiscard]] std::shared_ptr<const Snapshot> frame_at(double time) const;
+    [[nodiscard]] Timeline timeline() const;               ///< of the present run, newer than its snapshot
     [[nodiscard]] double speed() const { return speed_; }  ///< as RunProgress::speed
     /// Why the last scene or value was refused, one line a fault; empty when it was not.
     [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
