@@ -15,9 +15,10 @@ struct Ghost {
     void replaced(const std::shared_ptr<const Snapshot>& shown) {
         if (shown && (!moment || shown->time > moment->time)) moment = shown;
     }
-    /// @param reached of the new run [time]
-    void follow(double reached) {
-        if (moment && reached >= moment->time) moment.reset();
+    /// @param reached of the new run [time]; @param ended whether it goes no further: its last step need not be as
+    /// late as that of the run before
+    void follow(double reached, bool ended) {
+        if (moment && (ended || reached >= moment->time)) moment.reset();
     }
 };
 

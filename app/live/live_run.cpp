@@ -139,6 +139,7 @@ void LiveRun::take_over(Built built) {
     set_back_ = false;
     branch_.reset();
     timeline_ = {};
+    status_ = RunStatus::paused;
     warnings_ = std::move(built.warnings);
     file_ = being_built_.file;
     overrides_ = being_built_.overrides;

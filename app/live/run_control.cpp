@@ -75,7 +75,8 @@ void LiveRun::look_step(std::int64_t count) {
     if (times.empty() || count == 0) return;
     stop_playing();
     // Of a recorded run the frame that is shown may not be there yet; what counts is the one asked for.
-    const double from = recording_ ? playhead_.time() : snapshot_->time;
+    const double from = recording_ ? times[static_cast<std::size_t>(recording_->index_at(playhead_.time()))]
+                                   : snapshot_->time;
     const double slack = 1e-12 * from;
     std::ptrdiff_t index = 0;
     if (count > 0)

@@ -47,7 +47,7 @@ void follow_run(Workbench& w) {
         else if (!is_reference)
             w.ghost.replaced(shown);
     }
-    w.ghost.follow(w.run.newest()->time);
+    w.ghost.follow(w.run.newest()->time, w.run.status() == RunStatus::finished);
     if (w.reference) w.reference->follow(w.run.snapshot()->time);
 }
 
