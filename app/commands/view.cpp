@@ -85,7 +85,8 @@ int view(const ViewCommand& command) {
         std::filesystem::is_directory(command.scene)) {
         static_cast<void>(run_file_of(command.scene));
         if (!command.overrides.empty())
-            throw UsageError(fmt::format("{}: a recorded run stays as it was; --set is for scenes", command.scene));
+            throw UsageError(
+                fmt::format("{}: a recorded run stays as it was; --set is for scenes", command.scene));
     }
     std::optional<ScriptPlayer> player;
     if (command.script) player.emplace(read_script(*command.script), *command.script);
@@ -122,9 +123,10 @@ void add_view(CLI::App& app, Job& job) {
         "NAME is one of {}.\nIts screenshots and expectations are the same in a window and with "
         "--headless; exit status 1 when\nan expectation does not hold.",
         script_help(), fmt::join(Workbench::value_names(), ", ")));
-    command.add_option("SCENE", options->scene,
-                       "scene file, e.g. scenes/nail.toml, or a recorded run: its directory or run.h5; without "
-                       "one the window asks for it");
+    command.add_option(
+        "SCENE", options->scene,
+        "scene file, e.g. scenes/nail.toml, or a recorded run: its directory or run.h5; without "
+        "one the window asks for it");
     command.add_option("--set", options->overrides, "override a value of the scene; may be repeated")
         ->type_name("KEY=VALUE")
         ->expected(1)

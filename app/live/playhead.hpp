@@ -5,8 +5,8 @@
 
 namespace percuss::app {
 
-/// Which moment of a run is looked at: the newest one, or an earlier one that may be played from. Clock readings are
-/// arguments.
+/// Which moment of a run is looked at: the newest one, or an earlier one that may be played from. Clock
+/// readings are arguments.
 class Playhead {
   public:
     using Clock = std::chrono::steady_clock;

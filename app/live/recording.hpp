@@ -32,8 +32,8 @@ class RunSource {
 /// Opens run.h5. @throws std::exception naming file and reason.
 using OpenRun = std::function<std::unique_ptr<RunSource>(const std::filesystem::path&)>;
 
-/// A recorded run to look at: its frames are read as they are asked for, on a thread of its own, so that whoever
-/// shows them never waits for the disk. Those asked for last are kept, within a bound of memory.
+/// A recorded run to look at: its frames are read as they are asked for, on a thread of its own, so that
+/// whoever shows them never waits for the disk. Those asked for last are kept, within a bound of memory.
 class Recording {
   public:
     /// Reads what is needed for a first picture, and the histories: not for a thread that must not wait.

@@ -17,7 +17,8 @@ struct Reference {
     /// Its newest kept moment that is not later than a time; null while that is read from the disk.
     std::function<std::shared_ptr<const Snapshot>(double time)> moments;
     Curves curves;
-    std::shared_ptr<const Snapshot> moment;  ///< that belongs to the one that is shown; its last one after its end
+    std::shared_ptr<const Snapshot>
+        moment;  ///< that belongs to the one that is shown; its last one after its end
 
     /// Takes what the reference has come to. @param shown [time]
     void follow(double shown);

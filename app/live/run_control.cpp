@@ -49,7 +49,9 @@ void LiveRun::set_speed(std::optional<double> speed) {
     if (engine_) engine_->post(command::SetSpeed{speed});
 }
 
-double LiveRun::playing_speed() const { return wanted_speed_.value_or(timeline_.end / seconds_to_play_a_run); }
+double LiveRun::playing_speed() const {
+    return wanted_speed_.value_or(timeline_.end / seconds_to_play_a_run);
+}
 
 void LiveRun::look_at(double time) {
     if (!snapshot_) return;
@@ -103,7 +105,8 @@ void LiveRun::go_live() {
 }
 
 void LiveRun::return_to_end() {
-    if (std::exchange(set_back_, false)) engine_->post(command::Seek{std::numeric_limits<double>::infinity()});
+    if (std::exchange(set_back_, false))
+        engine_->post(command::Seek{std::numeric_limits<double>::infinity()});
 }
 
 void LiveRun::play() {
@@ -157,7 +160,9 @@ std::shared_ptr<const Snapshot> LiveRun::frame_at(double time) const {
 std::function<std::shared_ptr<const Snapshot>(double)> LiveRun::moments() const {
     if (recording_) return [recording = recording_](double time) { return recording->frame_at(time); };
     if (!engine_) return [](double) { return nullptr; };
-    return [frames = engine_->frames()](double time) { return frames ? frames->at_or_before(time).first : nullptr; };
+    return [frames = engine_->frames()](double time) {
+        return frames ? frames->at_or_before(time).first : nullptr;
+    };
 }
 
 }  // namespace percuss::app

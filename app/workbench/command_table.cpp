@@ -74,8 +74,7 @@ void frame_failure(Workbench& w) {
         }
     }
     const double room = 2 * std::max(box[2] - box[0], box[3] - box[1]);
-    w.viewport.camera =
-        w.viewport.view->around({box[0] - room, box[1] - room, box[2] + room, box[3] + room});
+    w.viewport.camera = w.viewport.view->around({box[0] - room, box[1] - room, box[2] + room, box[3] + room});
     w.viewport.framing = Framing::chosen;
     w.viewport.dirty = true;
 }
@@ -144,7 +143,8 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
         {"view.failure", "Show the failed element", "",
          "Zooms to the element that a diverged run's message names.", frame_failure},
         {"view.drop-ghost", "Drop the ghost", "",
-         "Takes away the outline of the run before the design was changed.", [](Workbench& w) { w.ghost = {}; }},
+         "Takes away the outline of the run before the design was changed.",
+         [](Workbench& w) { w.ghost = {}; }},
         {"view.edges", "Element edges", "E", "Draws the edges of the elements, where they are not too dense.",
          toggle_option<&ViewOptions::edges>, option_on<&ViewOptions::edges>},
         {"view.forces", "Contact forces", "C", "Draws the contact forces of the last step as arrows.",

@@ -53,7 +53,8 @@ constexpr NamedValue of_scene[] = {
     {"time", [](const Workbench& w) -> Value { return w.run.snapshot()->time; }},
     {"newest", [](const Workbench& w) -> Value { return w.run.newest()->time; }},
     {"end", [](const Workbench& w) -> Value { return w.run.timeline().end; }},
-    {"moments", [](const Workbench& w) -> Value { return static_cast<double>(w.run.timeline().frames.size()); }},
+    {"moments",
+     [](const Workbench& w) -> Value { return static_cast<double>(w.run.timeline().frames.size()); }},
     {"failed-element",
      [](const Workbench& w) -> Value { return static_cast<double>(w.run.newest()->failed_cell); }},
     {"steps", [](const Workbench& w) -> Value { return static_cast<double>(w.run.snapshot()->step); }},
@@ -115,8 +116,8 @@ std::vector<std::string> Workbench::value_names() {
     for (const NamedValue& value : always) names.emplace_back(value.name);
     for (const NamedValue& value : of_scene) names.emplace_back(value.name);
     for (const NamedValue& value : of_view) names.emplace_back(value.name);
-    names.insert(names.end(), {"ghost.time", "reference.time", "branch.from", "branch.to", "plots.from", "plots.to",
-                              "parameters.NAME"});
+    names.insert(names.end(), {"ghost.time", "reference.time", "branch.from", "branch.to", "plots.from",
+                               "plots.to", "parameters.NAME"});
     return names;
 }
 

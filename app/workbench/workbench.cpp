@@ -94,8 +94,7 @@ void Workbench::frame() {
 
 bool Workbench::at_rest() const {
     return run.status() != RunStatus::running && !run.playing() && !run.reading() && !run.building() &&
-           !viewport.dirty && !run.branch_asked() &&
-           viewport.drawn == run.snapshot();
+           !viewport.dirty && !run.branch_asked() && viewport.drawn == run.snapshot();
 }
 
 void Workbench::tell(std::string words) {

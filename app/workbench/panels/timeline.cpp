@@ -31,8 +31,8 @@ void show_slider(Workbench& w, const DisplayUnit& unit, double duration) {
     const int decimals = decimals_for(unit.scale * duration);
     const std::string of_all = live ? "" : fmt::format(" of {:.{}f}", unit.scale * newest, decimals);
     const std::string format = fmt::format("%.{}f{} {}", decimals, of_all, unit.label);
-    const bool moved = ImGui::SliderScalar("##time", ImGuiDataType_Double, &shown, &low, &high, format.c_str(),
-                                           ImGuiSliderFlags_AlwaysClamp);
+    const bool moved = ImGui::SliderScalar("##time", ImGuiDataType_Double, &shown, &low, &high,
+                                           format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     w.names.name("time.slider");
     if (ImGui::IsItemActivated()) {
         state.held_end = newest;
@@ -44,9 +44,10 @@ void show_slider(Workbench& w, const DisplayUnit& unit, double duration) {
         w.run.settle();
     }
     if (ImGui::IsItemActive()) return;
-    tooltip(w.run.recorded() ? "The moment that is shown; [Left] and [Right]: one frame on. Ctrl and a click: type it."
-                             : "Looks back over the run, which goes on or waits undisturbed. A run that waits shows "
-                               "the very moment, one that goes on those that were kept. Ctrl and a click: type it.");
+    tooltip(w.run.recorded()
+                ? "The moment that is shown; [Left] and [Right]: one frame on. Ctrl and a click: type it."
+                : "Looks back over the run, which goes on or waits undisturbed. A run that waits shows "
+                  "the very moment, one that goes on those that were kept. Ctrl and a click: type it.");
 }
 
 void show_question(Workbench& w, const DisplayUnit& unit) {
@@ -89,7 +90,8 @@ void show_speed(Workbench& w, const DisplayUnit& unit, double duration) {
     const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
     const auto wanted = w.run.wanted_speed();
     const bool played = w.run.recorded() || w.run.playing();
-    if (!state.typing_speed) state.speed = wanted ? fmt::format("{:.4g}", unit.scale * *wanted) : std::string();
+    if (!state.typing_speed)
+        state.speed = wanted ? fmt::format("{:.4g}", unit.scale * *wanted) : std::string();
     ImGui::SetNextItemWidth(std::min(8.2F * em, room));
     const bool entered =
         ImGui::InputTextWithHint("##speed", played ? "whole run in 10 s" : "as fast as can be", &state.speed,
@@ -99,7 +101,8 @@ void show_speed(Workbench& w, const DisplayUnit& unit, double duration) {
     if (entered || ImGui::IsItemDeactivatedAfterEdit()) take_speed(w, unit);
     state.typing_speed = ImGui::IsItemActive();
     const std::string help = fmt::format(
-        "Simulated time for each second of yours [{}/s]; empty: as fast as can be, and what is looked back at is "
+        "Simulated time for each second of yours [{}/s]; empty: as fast as can be, and what is looked back "
+        "at is "
         "played in ten seconds.",
         unit.label);
     tooltip(help);
@@ -113,7 +116,8 @@ void show_speed(Workbench& w, const DisplayUnit& unit, double duration) {
     ImGui::SameLine(0, 0.5F * em);
     if (const float left = ImGui::GetContentRegionAvail().x; left > 5 * em) {
         // Four powers of ten, around a run that takes some seconds.
-        const double low = std::pow(10, std::floor(std::log10(unit.scale * duration * 1e-3))), high = 1e4 * low;
+        const double low = std::pow(10, std::floor(std::log10(unit.scale * duration * 1e-3))),
+                     high = 1e4 * low;
         double value = wanted ? unit.scale * *wanted : high;
         ImGui::SetNextItemWidth(std::min(left > told + 5 * em ? left - told : left, 14 * em));
         const bool moved =

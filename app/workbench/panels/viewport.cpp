@@ -179,8 +179,9 @@ void write_outlines(const Workbench& w, ImDrawList& ink, const PanelArea& area) 
     };
     if (w.reference && w.reference->history != w.run.history() && w.reference->moment) {
         const double time = w.reference->moment->time;
-        const bool ended = time < w.viewport.drawn->time && w.reference->curves.rows() > 0 &&
-                           w.reference->curves.times()[w.reference->curves.rows() - 1] < w.viewport.drawn->time;
+        const bool ended =
+            time < w.viewport.drawn->time && w.reference->curves.rows() > 0 &&
+            w.reference->curves.times()[w.reference->curves.rows() - 1] < w.viewport.drawn->time;
         line(ended ? fmt::format("reference, ended at {}", quantity_text(units, Quantity::time, time))
                    : "reference",
              reference_colour);

@@ -19,9 +19,10 @@ class TravelTest : public test::ProgramTest {
     TravelTest() {
         EngineOptions options;
         options.frame_memory_interval = 0.002;  // ten of some 150 steps
-        run_ = std::make_unique<LiveRun>(options, [](const std::filesystem::path&) -> std::unique_ptr<RunSource> {
-            return std::make_unique<Sample>();
-        });
+        run_ = std::make_unique<LiveRun>(options,
+                                         [](const std::filesystem::path&) -> std::unique_ptr<RunSource> {
+                                             return std::make_unique<Sample>();
+                                         });
         run_->open(path("scene.toml"));
         EXPECT_TRUE(until([&] { return run_->snapshot() != nullptr; }));
     }

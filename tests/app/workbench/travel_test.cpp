@@ -179,11 +179,13 @@ expect builds = 3
         EXPECT_EQ(outcome.status, 0) << outcome.err;
     }
     EXPECT_EQ(run({"view", "nowhere.h5", "--headless", "--script", "script.txt"}).status, 2);
-    const Outcome set = run({"view", "out", "--set", "parameters.speed=2", "--headless", "--script", "script.txt"});
+    const Outcome set =
+        run({"view", "out", "--set", "parameters.speed=2", "--headless", "--script", "script.txt"});
     EXPECT_EQ(set.status, 2);
     EXPECT_THAT(set.err, HasSubstr("--set is for scenes"));
     write("damaged.h5", "no HDF5 at all");
-    play("wait time = 0\nopen damaged.h5\nwait messages contains damaged.h5\nexpect title = \"two blocks\"\n");
+    play(
+        "wait time = 0\nopen damaged.h5\nwait messages contains damaged.h5\nexpect title = \"two blocks\"\n");
 }
 
 TEST_F(WindowTest, TheReferenceIsShownAtTheSameTime) {
@@ -259,6 +261,11 @@ TEST_F(WindowTest, OneClickFramesTheElementThatFailed) {
     std::string fine = test::text_of(path("scene.toml"));
     fine.replace(fine.find("divisions = [2, 1]"), 18, "divisions = [24, 12]");
     write("scene.toml", fine);
+    const std::vector<std::string> fragile{"--set", "model.lagged=true", "--set",
+                                           "model.energy_growth_limit=1e-6"};
+    std::vector<std::string> record{"run", "scene.toml", "--out", "broken", "--no-render"};
+    record.insert(record.end(), fragile.begin(), fragile.end());
+    EXPECT_NE(run(record).status, 0);
     play(R"(
 wait time = 0
 widgets
@@ -276,8 +283,14 @@ screenshot near.png
 move viewport 0.5 0.44
 frames 2
 expect hovered != nothing
+open broken                 # the record knows it, too
+wait recorded = 1
+expect failed-element = -1
+key End
+wait status = diverged
+expect failed-element >= 0
 )",
-         {"--set", "model.lagged=true", "--set", "model.energy_growth_limit=1e-6"});
+         fragile);
     EXPECT_GT(count("near.png", "viewport", shown_moment), count("all.png", "viewport", shown_moment) + 50)
         << "the element has a red rim";
 }

@@ -1,10 +1,9 @@
-#include "app/workbench/window_fixture.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <set>
 #include <thread>
 
+#include "app/workbench/window_fixture.hpp"
 #include "workbench/command_table.hpp"
 
 namespace percuss {
