@@ -40,6 +40,7 @@ struct SolverState {
 /// Why a run cannot go on.
 struct Divergence {
     std::string message;
+    std::int32_t cell = -1;  ///< of the mesh, that the message names; -1: it names none
 };
 
 /// The explicit dynamics of one scene, stepped by whoever calls step(). Not thread-safe; Engine wraps it in a
@@ -137,8 +138,13 @@ class Solver {
     void add_plastic_fields(Snapshot& snapshot) const;
     [[nodiscard]] std::vector<BodyEnergies> body_energies() const;
     [[nodiscard]] Divergence locate_inverted() const;
-    [[nodiscard]] std::string locate_non_finite() const;
-    [[nodiscard]] std::string locate_most_energy() const;
+    /// An element that a message can name.
+    struct Located {
+        std::string name;
+        std::int32_t cell = -1;  // of the mesh
+    };
+    [[nodiscard]] Located locate_non_finite() const;
+    [[nodiscard]] Located locate_most_energy() const;
     [[nodiscard]] std::string element_name(const Batch& batch, std::int32_t element) const;
     [[nodiscard]] std::string moment() const;  ///< the present time with its unit
     [[nodiscard]] double strain_energy_error() const;

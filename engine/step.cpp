@@ -69,10 +69,14 @@ std::optional<Divergence> Solver::choose_step() {
                         state_.critical_step * unit.scale, unit.label, dt * unit.scale, unit.label)};
     }
     // An element on its way to nothing takes the time step along: the run would never end.
-    if (state_.critical_step < 1e-6 * statistics_.critical_step_initial)
-        return Divergence{fmt::format(
-            "the critical step fell below a millionth of its first value at {}; most energy is in {}",
-            moment(), locate_most_energy())};
+    if (state_.critical_step < 1e-6 * statistics_.critical_step_initial) {
+        const Located most = locate_most_energy();
+        return Divergence{
+            fmt::format(
+                "the critical step fell below a millionth of its first value at {}; most energy is in {}",
+                moment(), most.name),
+            most.cell};
+    }
     // The acceleration at t_n acts from the middle of the step before to the middle of the step after.
     kick_ = state_.step == 0 ? dt : 0.5 * (state_.dt + dt);
     state_.dt = dt;
@@ -449,13 +453,19 @@ std::optional<Divergence> Solver::close_ledger() {
                 0.5 * (momentum_before_[body][d] + ledger.body_momentum[body][d]) / body_mass_[body];
     fill_history_row();
 
-    if (!std::isfinite(total)) return Divergence{locate_non_finite() + " is no longer finite at " + moment()};
+    if (!std::isfinite(total)) {
+        const Located where = locate_non_finite();
+        return Divergence{where.name + " is no longer finite at " + moment(), where.cell};
+    }
     const double reference = std::max({ledger.initial_kinetic, ledger.largest_load, rounding_energy_});
-    if (total - ledger.initial_kinetic > setup_->scene.energy_growth_limit * reference)
+    if (total - ledger.initial_kinetic > setup_->scene.energy_growth_limit * reference) {
+        const Located most = locate_most_energy();
         return Divergence{
             fmt::format("energy grew by {:.3g} % of the input at {}; the limit is {:.3g} %; most is in {}",
                         100 * (total - ledger.initial_kinetic) / reference, moment(),
-                        100 * setup_->scene.energy_growth_limit, locate_most_energy())};
+                        100 * setup_->scene.energy_growth_limit, most.name),
+            most.cell};
+    }
     return std::nullopt;
 }
 
@@ -533,39 +543,40 @@ Divergence Solver::locate_inverted() const {
         for (std::int32_t e = 0; e < batch.count; ++e) {
             const Cell& cell = setup_->mesh.cells[static_cast<std::size_t>(batch.cell_begin + e)];
             if (is_inverted(cell, nodes, batch.kind, batch.geometry))
-                return {element_name(batch, e) + " turned inside out at " + moment()};
+                return {element_name(batch, e) + " turned inside out at " + moment(), batch.cell_begin + e};
         }
     }
-    return {"an element turned inside out at " + moment()};
+    return {"an element turned inside out at " + moment(), -1};
 }
 
-std::string Solver::locate_non_finite() const {
+Solver::Located Solver::locate_non_finite() const {
     for (const Batch& batch : batches_) {
         for (std::int32_t e = 0; e < batch.count; ++e) {
             for (const std::int32_t node :
                  setup_->mesh.cells[static_cast<std::size_t>(batch.cell_begin + e)]) {
                 if (node < 0) continue;
                 const auto& [x, v] = state_.nodes[static_cast<std::size_t>(node)];
-                if (!std::isfinite(x[0] + x[1] + v[0] + v[1])) return element_name(batch, e);
+                if (!std::isfinite(x[0] + x[1] + v[0] + v[1]))
+                    return {element_name(batch, e), batch.cell_begin + e};
             }
         }
     }
-    return "the energy";
+    return {"the energy", -1};
 }
 
-std::string Solver::locate_most_energy() const {
-    std::string name;
+Solver::Located Solver::locate_most_energy() const {
+    Located found;
     double most = -1;
     for (const Batch& batch : batches_) {
         for (std::int32_t e = 0; e < batch.count; ++e) {
             const double stored = stored_energy(batch, state_.nodes.data(), e);
             if (stored > most) {
                 most = stored;
-                name = element_name(batch, e);
+                found = {element_name(batch, e), batch.cell_begin + e};
             }
         }
     }
-    return name;
+    return found;
 }
 
 void Solver::fill_history_row() {

@@ -9,9 +9,11 @@
 
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "finished_run.hpp"
 #include "image.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "recorded_run.hpp"
 #include "ui/screen.hpp"
 #include "workbench/script.hpp"
 #include "workbench/workbench.hpp"
@@ -65,7 +67,8 @@ void write_screenshot(Workbench& workbench, const render::Screen& screen) {
 /// Leaves the processor to the engine until the next frame is due; asleep when there is nothing to show.
 void rest(render::Screen& screen, const Workbench& workbench, Clock::time_point frame_began, bool scripted) {
     const double left = frame_period - std::chrono::duration<double>(Clock::now() - frame_began).count();
-    const bool waits = workbench.run.building() || workbench.run.status() == RunStatus::running;
+    const bool waits = workbench.run.building() || workbench.run.status() == RunStatus::running ||
+                       workbench.run.playing() || workbench.run.reading();
     if (scripted) {
         if (waits && left > 0) screen.rest(left);
     } else if (workbench.at_rest()) {
@@ -79,16 +82,19 @@ int view(const ViewCommand& command) {
     if (command.headless && !command.script)
         throw UsageError("view --headless draws nothing that anybody sees; give it --script FILE");
     if (std::filesystem::path(command.scene).extension() == ".h5" ||
-        std::filesystem::is_directory(command.scene))
-        throw UsageError(fmt::format("{}: view shows scenes; for a recorded run there is 'percuss render'",
-                                     command.scene));
+        std::filesystem::is_directory(command.scene)) {
+        static_cast<void>(run_file_of(command.scene));
+        if (!command.overrides.empty())
+            throw UsageError(
+                fmt::format("{}: a recorded run stays as it was; --set is for scenes", command.scene));
+    }
     std::optional<ScriptPlayer> player;
     if (command.script) player.emplace(read_script(*command.script), *command.script);
     const std::unique_ptr<render::Screen> screen = make_screen(command);
     screen->set_dark(command.dark);
     EngineOptions options;
     options.threads = command.threads;
-    Workbench workbench(*screen, std::move(options));
+    Workbench workbench(*screen, std::move(options), open_recorded_run);
     if (command.scene.empty())
         workbench.pick_scene = !player;
     else
@@ -111,14 +117,16 @@ int view(const ViewCommand& command) {
 void add_view(CLI::App& app, Job& job) {
     auto options = std::make_shared<ViewCommand>();
     CLI::App& command =
-        *app.add_subcommand("view", "Open a window on a scene that runs: picture, plots, sliders");
+        *app.add_subcommand("view", "Open a window on a scene that runs, or on a recorded run");
     command.footer(fmt::format(
         "In the window F1 lists all keys and commands. A script is a text file, one event a line:\n{}"
         "NAME is one of {}.\nIts screenshots and expectations are the same in a window and with "
         "--headless; exit status 1 when\nan expectation does not hold.",
         script_help(), fmt::join(Workbench::value_names(), ", ")));
-    command.add_option("SCENE", options->scene,
-                       "scene file, e.g. scenes/nail.toml; without one the window asks for it");
+    command.add_option(
+        "SCENE", options->scene,
+        "scene file, e.g. scenes/nail.toml, or a recorded run: its directory or run.h5; without "
+        "one the window asks for it");
     command.add_option("--set", options->overrides, "override a value of the scene; may be repeated")
         ->type_name("KEY=VALUE")
         ->expected(1)

@@ -21,6 +21,13 @@ bool ready(const std::future<T>& future) {
     return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
+/// The run file that a path means; empty when it means a scene.
+std::filesystem::path run_file_of(const std::filesystem::path& path) {
+    std::error_code unreadable;
+    if (std::filesystem::is_directory(path, unreadable)) return path / "run.h5";
+    return path.extension() == ".h5" ? path : std::filesystem::path();
+}
+
 }  // namespace
 
 LiveRun::~LiveRun() {
@@ -30,7 +37,7 @@ LiveRun::~LiveRun() {
 LiveRun::Request LiveRun::present() const {
     Request same = next_ ? *next_ : building_ ? being_built_ : Request{file_, overrides_, settings_, false};
     // What has begun goes on with the new design; a run that waits at its beginning waits on.
-    if (snapshot_ && snapshot_->step > 0) same.start = true;
+    if (engine_ && history_ && history_->rows() > 0) same.start = true;
     return same;
 }
 
@@ -51,6 +58,10 @@ void LiveRun::dismiss_messages() {
 }
 
 void LiveRun::set(const std::string& key, const std::string& value) {
+    if (recording_ && !building_) {
+        messages_ = {key + ": a recorded run stays as it was; open its scene to change it"};
+        return;
+    }
     if (effect_of_change(key) == ChangeEffect::next_step && engine_ && !building_) {
         engine_->post(command::Set{key, value});
         settings_[key] = value;
@@ -96,6 +107,12 @@ void LiveRun::begin(Request wanted) {
 LiveRun::Built LiveRun::build(const Request& wanted) const {
     Built built;
     try {
+        if (const std::filesystem::path file = run_file_of(wanted.file); !file.empty()) {
+            if (!std::filesystem::exists(file)) throw std::runtime_error("there is no run in it");
+            if (!open_run_) throw std::runtime_error("recorded runs cannot be read here");
+            built.recording = std::make_shared<Recording>(file, open_run_, options_.frame_memory);
+            return built;
+        }
         std::vector<std::string> overrides = wanted.overrides;
         for (const auto& [key, value] : wanted.settings) overrides.push_back(key + "=" + value);
         Scene scene = load_scene(wanted.file, overrides);
@@ -104,49 +121,51 @@ LiveRun::Built LiveRun::build(const Request& wanted) const {
     } catch (const SceneError& error) {
         built.messages = error.messages();
     } catch (const std::exception& error) {
-        built.messages = {wanted.file.string() + ": " + error.what()};
+        const std::string name = wanted.file.string(), what = error.what();
+        built.messages = {what.starts_with(name) ? what : name + ": " + what};
     }
     return built;
 }
 
 void LiveRun::take_over(Built built) {
     messages_ = std::move(built.messages);
-    refused_ = built.engine == nullptr;
+    refused_ = !built.engine && !built.recording;
     if (refused_) return;
     read_at_ = tried_at_;
-    retire(std::exchange(engine_, std::move(built.engine)));
+    retire(std::exchange(engine_, std::move(built.engine)),
+           std::exchange(recording_, std::move(built.recording)));
     ++builds_;
+    playhead_.go_live();
+    set_back_ = false;
+    branch_.reset();
+    timeline_ = {};
+    status_ = RunStatus::paused;
     warnings_ = std::move(built.warnings);
     file_ = being_built_.file;
     overrides_ = being_built_.overrides;
     settings_ = being_built_.settings;
+    if (recording_) {
+        history_ = recording_->history();
+        statistics_ = {};
+        timeline_.frames = recording_->times();
+        timeline_.end = timeline_.frames.back();
+        newest_ = snapshot_ = recording_->last_read();
+        playhead_.look_at(timeline_.frames.front());
+        return;
+    }
+    if (wanted_speed_) engine_->post(command::SetSpeed{wanted_speed_});
     if (being_built_.start) engine_->post(command::Run{});
 }
 
-/// An engine ends its present step before it is gone: that is waited for elsewhere.
-void LiveRun::retire(std::unique_ptr<Engine> engine) {
+/// An engine ends its present step before it is gone, a file its present read: that is waited for elsewhere.
+void LiveRun::retire(std::unique_ptr<Engine> engine, std::shared_ptr<Recording> recording) {
     std::erase_if(retired_, [](const auto& future) { return ready(future); });
     if (engine)
         retired_.push_back(
             std::async(std::launch::async, [old = std::move(engine)]() mutable { old.reset(); }));
-}
-
-void LiveRun::run(std::optional<double> until) {
-    if (!engine_) return;
-    if (status_ == RunStatus::finished || status_ == RunStatus::diverged) reset();
-    engine_->post(command::Run{until});
-}
-
-void LiveRun::pause() {
-    if (engine_) engine_->post(command::Pause{});
-}
-
-void LiveRun::step(std::int64_t count) {
-    if (engine_) engine_->post(command::Steps{count});
-}
-
-void LiveRun::reset() {
-    if (engine_) engine_->post(command::Reset{});
+    if (recording)
+        retired_.push_back(
+            std::async(std::launch::async, [old = std::move(recording)]() mutable { old.reset(); }));
 }
 
 void LiveRun::update() {
@@ -156,25 +175,62 @@ void LiveRun::update() {
         take_over(std::move(built));
         if (next_) begin(*std::exchange(next_, std::nullopt));
     }
-    if (!engine_) return;
+    if (engine_) update_engine();
+    if (recording_) update_recording();
+}
+
+void LiveRun::update_engine() {
     // The status first: it is never ahead of the snapshot.
-    status_ = engine_->status();
-    snapshot_ = engine_->snapshot();
+    const RunStatus status = engine_->status();
+    newest_ = engine_->snapshot();
     history_ = engine_->history();
     statistics_ = engine_->statistics();
-    for (std::string& message : engine_->take_messages()) messages_.push_back(std::move(message));
+    timeline_ = engine_->timeline();
+    std::vector<std::string> messages = engine_->take_messages();
+    if (branch_ && branch_->confirmed && !timeline_.branch_drops) {
+        branch_.reset();
+        playhead_.go_live();
+    } else if (branch_ && branch_->confirmed && !messages.empty()) {  // refused
+        branch_.reset();
+        set_back_ = true;
+    }
+    for (std::string& message : messages) messages_.push_back(std::move(message));
     speed_ = engine_->progress().speed;
+    sought_.reset();
+    // Set back, the engine is paused at some moment before; the run is still what it was at its end.
+    if (timeline_.branch_drops) {
+        sought_ = std::exchange(newest_, engine_->frame_at(timeline_.end));
+        if (status_ == RunStatus::running) status_ = RunStatus::paused;
+    } else if (status == engine_->status()) {
+        status_ = status;
+    }
+    if (!newest_) newest_ = sought_;  // no moments are kept
+    if (playhead_.advance(Playhead::Clock::now(), playing_speed(), timeline_.end)) go_live();
+    snapshot_ = live() ? newest_ : looked_at();
 }
 
-std::shared_ptr<const Snapshot> LiveRun::frame_at(double time) const {
-    return engine_ ? engine_->frame_at(time) : nullptr;
+void LiveRun::update_recording() {
+    playhead_.advance(Playhead::Clock::now(), playing_speed(), timeline_.end);
+    if (auto frame = recording_->frame_at(playhead_.time()))
+        snapshot_ = std::move(frame);
+    else
+        snapshot_ = recording_->last_read();
+    newest_ = snapshot_;
+    status_ = playing() ? RunStatus::running
+              : playhead_.time() >= timeline_.end && snapshot_->status == RunStatus::diverged
+                  ? RunStatus::diverged
+                  : RunStatus::paused;
+    speed_ = playing() ? playing_speed() : 0;
+    timeline_.present = snapshot_->time;
+    timeline_.frame_bytes = recording_->bytes();
+    for (std::string& message : recording_->take_messages()) messages_.push_back(std::move(message));
 }
-
-Timeline LiveRun::timeline() const { return engine_ ? engine_->timeline() : Timeline{}; }
 
 bool LiveRun::file_changed() const {
     if (building_ || (file_.empty() && !refused_)) return false;
-    const auto time = time_of(refused_ ? being_built_.file : file_);
+    const auto& file = refused_ ? being_built_.file : file_;
+    if (!run_file_of(file).empty()) return false;  // one that is still being recorded changes all the time
+    const auto time = time_of(file);
     return time != std::filesystem::file_time_type{} && time != (refused_ ? tried_at_ : read_at_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace percuss::app {
 namespace {
@@ -15,9 +16,8 @@ double peak(const MinMaxPyramid& values, std::size_t rows) {
 
 }  // namespace
 
-void Reference::follow(const std::shared_ptr<const History>& present_history,
-                       const std::shared_ptr<const Snapshot>& present) {
-    if (present_history == history && present) last = present;
+void Reference::follow(double shown) {
+    if (auto kept = moments(shown)) moment = std::move(kept);
     curves.follow(history);
 }
 

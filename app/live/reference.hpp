@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,11 +14,14 @@ namespace percuss::app {
 /// A run to compare the present one with: as far as it got, which is further each frame while it is the present one.
 struct Reference {
     std::shared_ptr<const History> history;
-    std::shared_ptr<const Snapshot> last;
+    /// Its newest kept moment that is not later than a time; null while that is read from the disk.
+    std::function<std::shared_ptr<const Snapshot>(double time)> moments;
     Curves curves;
+    std::shared_ptr<const Snapshot>
+        moment;  ///< that belongs to the one that is shown; its last one after its end
 
-    /// Takes what the reference has come to. @param present_history, present what the window shows
-    void follow(const std::shared_ptr<const History>& present_history, const std::shared_ptr<const Snapshot>& present);
+    /// Takes what the reference has come to. @param shown [time]
+    void follow(double shown);
     /// Its column of that name.
     [[nodiscard]] std::optional<std::size_t> column(const std::string& name) const;
 };

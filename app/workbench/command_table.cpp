@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -13,7 +14,12 @@ namespace percuss::app {
 namespace {
 
 void toggle_run(Workbench& w) {
-    if (w.run.status() == RunStatus::running)
+    if (!w.run.live() && !w.run.recorded()) {
+        if (w.run.playing())
+            w.run.stop_playing();
+        else
+            w.run.play();
+    } else if (w.run.status() == RunStatus::running)
         w.run.pause();
     else
         w.run.run();
@@ -43,12 +49,33 @@ void toggle_reference(Workbench& w) {
     if (w.reference)
         w.reference.reset();
     else if (w.run.snapshot())
-        w.reference.emplace(Reference{w.run.history(), w.run.snapshot(), {}});
+        w.reference.emplace(Reference{w.run.history(), w.run.moments(), {}, w.run.snapshot()});
 }
 
 void frame_model(Workbench& w, Framing framing) {
     w.viewport.framing = framing;
     w.viewport.camera.reset();
+    w.viewport.dirty = true;
+}
+
+/// The element that failed, with some of its neighbours.
+void frame_failure(Workbench& w) {
+    const auto& now = w.run.newest();
+    if (!now || !w.viewport.view || now->failed_cell < 0) return;
+    w.run.go_live();
+    std::array<double, 4> box{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (const std::int32_t node : now->setup->mesh.cells[static_cast<std::size_t>(now->failed_cell)]) {
+        if (node < 0) continue;
+        const auto at = 2 * static_cast<std::size_t>(node);
+        const auto point = w.viewport.view->plane()(now->position[at], now->position[at + 1]);
+        for (std::size_t k = 0; k < 2; ++k) {
+            box[k] = std::min(box[k], point[k]);
+            box[k + 2] = std::max(box[k + 2], point[k]);
+        }
+    }
+    const double room = 2 * std::max(box[2] - box[0], box[3] - box[1]);
+    w.viewport.camera = w.viewport.view->around({box[0] - room, box[1] - room, box[2] + room, box[3] + room});
+    w.viewport.framing = Framing::chosen;
     w.viewport.dirty = true;
 }
 
@@ -62,10 +89,17 @@ void zoom_text(Workbench& w, double factor) {
 const std::vector<WorkbenchCommand>& workbench_commands() {
     static const std::vector<WorkbenchCommand> table{
         {"run.toggle", "Run or pause", "Space",
-         "Lets the engine step, or holds it; after the end, runs again.", toggle_run,
-         [](const Workbench& w) { return w.run.status() == RunStatus::running; }},
-        {"run.step", "One step", "Right", "Advances the scene by one time step.",
-         [](Workbench& w) { w.run.step(1); }},
+         "Lets the engine step, or holds it; after the end, runs again. Plays what is looked back at.",
+         toggle_run,
+         [](const Workbench& w) { return w.run.status() == RunStatus::running || w.run.playing(); }},
+        {"run.step", "One step", "Right",
+         "Advances the scene by one time step; looking back: to the next kept moment.",
+         [](Workbench& w) {
+             if (w.run.live())
+                 w.run.step(1);
+             else
+                 w.run.look_step(1);
+         }},
         {"run.steps", "Several steps", "", "Advances by the number of steps in the field beside it.",
          [](Workbench& w) { w.run.step(std::max(1, w.step_count)); }},
         {"run.until", "Run until", "",
@@ -73,6 +107,20 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
          [](Workbench& w) { w.run.run(w.until); }},
         {"run.reset", "Reset", "R", "Back to time 0, with new histories.",
          [](Workbench& w) { w.run.reset(); }},
+        {"run.full-speed", "As fast as can be", "", "Takes back the speed that the run was held to.",
+         [](Workbench& w) { w.run.set_speed(std::nullopt); }},
+        {"time.back", "One moment back", "Left",
+         "Shows the kept moment before the one that is shown; the run goes on or waits, undisturbed.",
+         [](Workbench& w) { w.run.look_step(-1); }},
+        {"time.live", "Newest moment", "End", "Shows the newest moment of the run again, and follows it.",
+         [](Workbench& w) { w.run.go_live(); }},
+        {"time.branch", "Go on from here", "",
+         "Runs on from the moment that is looked back at; says first what that drops, and asks.",
+         [](Workbench& w) { w.run.ask_branch(); }},
+        {"time.branch-confirm", "Drop the rest and go on", "",
+         "The answer yes to the question that the command before asks.",
+         [](Workbench& w) { w.run.confirm_branch(); }},
+        {"time.branch-cancel", "Keep all", "", "The answer no.", [](Workbench& w) { w.run.cancel_branch(); }},
         {"scene.open", "Open a scene", "Ctrl+O", "Chooses another scene by a few letters of its name.",
          [](Workbench& w) { w.pick_scene = true; }},
         {"scene.reload", "Reload", "Ctrl+L", "Reads the scene's file anew and keeps the values set here.",
@@ -92,6 +140,11 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
         {"view.scene", "The scene's window", "Home",
          "Shows the part of the model that the scene's [view] names.",
          [](Workbench& w) { frame_model(w, Framing::scene); }},
+        {"view.failure", "Show the failed element", "",
+         "Zooms to the element that a diverged run's message names.", frame_failure},
+        {"view.drop-ghost", "Drop the ghost", "",
+         "Takes away the outline of the run before the design was changed.",
+         [](Workbench& w) { w.ghost = {}; }},
         {"view.edges", "Element edges", "E", "Draws the edges of the elements, where they are not too dense.",
          toggle_option<&ViewOptions::edges>, option_on<&ViewOptions::edges>},
         {"view.forces", "Contact forces", "C", "Draws the contact forces of the last step as arrows.",

@@ -32,6 +32,14 @@ constexpr NamedValue always[] = {
     {"help", [](const Workbench& w) -> Value { return flag(w.help); }},
     {"frames", [](const Workbench& w) -> Value { return static_cast<double>(w.frames); }},
     {"reference", [](const Workbench& w) -> Value { return flag(w.reference.has_value()); }},
+    {"recorded", [](const Workbench& w) -> Value { return flag(w.run.recorded()); }},
+    {"live", [](const Workbench& w) -> Value { return flag(w.run.live()); }},
+    {"playing", [](const Workbench& w) -> Value { return flag(w.run.playing()); }},
+    {"reading", [](const Workbench& w) -> Value { return flag(w.run.reading()); }},
+    {"ghost", [](const Workbench& w) -> Value { return flag(w.ghost.moment != nullptr); }},
+    {"branch.asked", [](const Workbench& w) -> Value { return flag(w.run.branch_asked()); }},
+    {"speed", [](const Workbench& w) -> Value { return w.run.speed(); }},
+    {"speed.wanted", [](const Workbench& w) -> Value { return w.run.wanted_speed().value_or(0); }},
     {"scale", [](const Workbench& w) -> Value { return w.screen.scale(); }},
     {"field", [](const Workbench& w) -> Value { return w.viewport.options.field; }},
     {"edges", [](const Workbench& w) -> Value { return flag(w.viewport.options.edges); }},
@@ -43,6 +51,12 @@ constexpr NamedValue always[] = {
 
 constexpr NamedValue of_scene[] = {
     {"time", [](const Workbench& w) -> Value { return w.run.snapshot()->time; }},
+    {"newest", [](const Workbench& w) -> Value { return w.run.newest()->time; }},
+    {"end", [](const Workbench& w) -> Value { return w.run.timeline().end; }},
+    {"moments",
+     [](const Workbench& w) -> Value { return static_cast<double>(w.run.timeline().frames.size()); }},
+    {"failed-element",
+     [](const Workbench& w) -> Value { return static_cast<double>(w.run.newest()->failed_cell); }},
     {"steps", [](const Workbench& w) -> Value { return static_cast<double>(w.run.snapshot()->step); }},
     {"dt", [](const Workbench& w) -> Value { return w.run.snapshot()->dt; }},
     {"step.fraction",
@@ -83,6 +97,11 @@ std::optional<Value> Workbench::value(const std::string& name) const {
     if (const auto value = find(of_scene, name, *this)) return value;
     if (viewport.view && viewport.drawn)
         if (const auto value = find(of_view, name, *this)) return value;
+    if (name == "ghost.time" && ghost.moment) return ghost.moment->time;
+    if (name == "reference.time" && reference && reference->moment) return reference->moment->time;
+    const auto drops = run.branch_drops();
+    if (name == "branch.from" && drops) return (*drops)[0];
+    if (name == "branch.to" && drops) return (*drops)[1];
     if (name == "plots.from" && plots.time) return (*plots.time)[0];
     if (name == "plots.to" && plots.time) return (*plots.time)[1];
     constexpr std::string_view parameters = "parameters.";
@@ -97,7 +116,8 @@ std::vector<std::string> Workbench::value_names() {
     for (const NamedValue& value : always) names.emplace_back(value.name);
     for (const NamedValue& value : of_scene) names.emplace_back(value.name);
     for (const NamedValue& value : of_view) names.emplace_back(value.name);
-    names.insert(names.end(), {"plots.from", "plots.to", "parameters.NAME"});
+    names.insert(names.end(), {"ghost.time", "reference.time", "branch.from", "branch.to", "plots.from",
+                               "plots.to", "parameters.NAME"});
     return names;
 }
 

@@ -21,7 +21,7 @@ void obey_keys(Workbench& w) {
         if (io.WantTextInput && !chord.ctrl && !command.key.starts_with("F")) continue;
         if (io.WantTextInput && chord.ctrl) continue;
         if (chord.ctrl != io.KeyCtrl || io.KeyAlt || io.KeySuper) continue;
-        const bool repeats = command.name == "run.step";
+        const bool repeats = command.name == "run.step" || command.name == "time.back";
         if (ImGui::IsKeyPressed(chord.key, repeats)) command.act(w);
     }
 }
@@ -31,6 +31,26 @@ void watch_file(Workbench& w) {
     if (w.reload_by_itself && w.frames % 20 == 0 && w.run.file_changed()) w.run.reload();
 }
 
+/// Takes over what the run has come to, and what is shown beside it.
+void follow_run(Workbench& w) {
+    const auto shown = w.run.snapshot();
+    const auto history = w.run.history();
+    const auto file = w.run.file();
+    const int builds = w.run.builds();
+    w.run.update();
+    if (!w.run.snapshot()) return;
+    if (w.run.builds() != builds) {
+        // The reference's outline shows it already.
+        const bool is_reference = w.reference && w.reference->history == history;
+        if (w.run.file() != file || w.run.recorded())
+            w.ghost = {};
+        else if (!is_reference)
+            w.ghost.replaced(shown);
+    }
+    w.ghost.follow(w.run.newest()->time, w.run.status() == RunStatus::finished);
+    if (w.reference) w.reference->follow(w.run.snapshot()->time);
+}
+
 }  // namespace
 
 void Workbench::frame() {
@@ -38,8 +58,7 @@ void Workbench::frame() {
     for (const std::filesystem::path& file : screen.take_dropped_files()) open(file);
     watch_file(*this);
     if (std::chrono::steady_clock::now() > note_until_) note_.clear();
-    run.update();
-    if (reference) reference->follow(run.history(), run.snapshot());
+    follow_run(*this);
     obey_keys(*this);
 
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -61,7 +80,9 @@ void Workbench::frame() {
             show_time_spent(*this);
         }
         show_plots(*this, {display.x - right, top, right, height});
-        middle = {left, top, display.x - left - right, height};
+        const float strip = timeline_height(*this);
+        middle = {left, top, display.x - left - right, std::max(height - strip, 1.0F)};
+        show_timeline(*this, {left, top + middle.height, middle.width, strip});
     }
     show_viewport(*this, middle);
     show_messages(*this, middle);
@@ -72,8 +93,8 @@ void Workbench::frame() {
 }
 
 bool Workbench::at_rest() const {
-    return run.status() != RunStatus::running && !run.building() && !viewport.dirty &&
-           viewport.drawn == run.snapshot();
+    return run.status() != RunStatus::running && !run.playing() && !run.reading() && !run.building() &&
+           !viewport.dirty && !run.branch_asked() && viewport.drawn == run.snapshot();
 }
 
 void Workbench::tell(std::string words) {

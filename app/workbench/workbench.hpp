@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "live/curves.hpp"
+#include "live/ghost.hpp"
 #include "live/live_run.hpp"
 #include "live/reference.hpp"
 #include "ui/screen.hpp"
 #include "view/live_view.hpp"
 #include "view/pick.hpp"
+#include "workbench/timeline_state.hpp"
 #include "workbench/widget_names.hpp"
 
 namespace percuss::app {
@@ -57,8 +59,9 @@ struct PlotsState {
 /// snapshots and histories alone.
 class Workbench {
   public:
-    Workbench(render::Screen& screen_in, EngineOptions options)
-        : run(std::move(options)), screen(screen_in) {}
+    /// @param open_run reads recorded runs
+    Workbench(render::Screen& screen_in, EngineOptions options, OpenRun open_run = {})
+        : run(std::move(options), std::move(open_run)), screen(screen_in) {}
 
     /// One frame of all panels, between Screen::begin_frame and Screen::end_frame.
     void frame();
@@ -81,6 +84,8 @@ class Workbench {
     ViewportState viewport;
     PlotsState plots;
     std::optional<Reference> reference;  ///< the run that the present one is compared with
+    Ghost ghost;                         ///< of the run before the design was changed
+    TimelineState timeline;
     WidgetNames names;
     bool panels = true, help = false, pick_scene = false;
     bool reload_by_itself = true;

@@ -155,7 +155,12 @@ struct RunFile::Impl {
             static_cast<RunStatus>(std::clamp(status, 0, static_cast<int>(RunStatus::diverged)));
         if (snapshot->status == RunStatus::diverged) {
             const auto summary = nlohmann::json::parse(read_summary(), nullptr, false);
-            if (summary.is_object()) snapshot->message = summary.value("message", "");
+            if (summary.is_object()) {
+                snapshot->message = summary.value("message", "");
+                const std::int64_t failed = summary.value("failed_element", std::int64_t{-1});
+                if (failed >= 0 && failed < setup->mesh.cell_count())
+                    snapshot->failed_cell = static_cast<std::int32_t>(failed);
+            }
         }
         return snapshot;
     }

@@ -208,6 +208,7 @@ nlohmann::ordered_json make_summary(const RunSetup& setup, const RunStatistics& 
     summary["parameters"] = parameters(scene);
     summary["status"] = status_name(last.status);
     summary["message"] = last.message;
+    if (last.failed_cell >= 0) summary["failed_element"] = last.failed_cell;
     summary["time"] = last.time;
     summary["steps"] = statistics.steps;
     summary["elements"] = statistics.cells;

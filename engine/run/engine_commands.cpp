@@ -120,14 +120,14 @@ void Engine::Impl::seek(double to) {
     }
     if (!run->end()) {
         state_at_end = state;
-        message_at_end = message;
+        failure_at_end = failure;
     }
     state = RunStatus::paused;
-    message.clear();
+    failure = {};
     const bool there = run->seek(to, [this] { return seek_is_superseded(); });
     if (!run->end()) {
         state = state_at_end;
-        message = message_at_end;
+        failure = failure_at_end;
     }
     publish(there);
 }

@@ -28,7 +28,7 @@ void Engine::Impl::begin_run() {
     kept_frames.reset();
     if (options.frame_memory > 0) kept_frames = std::make_shared<FrameHistory>(options.frame_memory, 1);
     kept_frame_interval = options.frame_memory_interval.value_or(scene.duration / kept_frames_in_a_run);
-    message.clear();
+    failure = {};
     state = RunStatus::paused;
     publish(true);
 }
@@ -36,7 +36,8 @@ void Engine::Impl::begin_run() {
 std::shared_ptr<const Snapshot> Engine::Impl::take_snapshot() const {
     auto snapshot = solver().snapshot();
     snapshot->status = state;
-    snapshot->message = message;
+    snapshot->message = failure.message;
+    snapshot->failed_cell = failure.cell;
     return snapshot;
 }
 
@@ -106,13 +107,13 @@ void Engine::Impl::end_run(RunStatus how) {
 void Engine::Impl::step_once() {
     emit_due_frame();
     keep_due_frame();
-    auto failure = run->step();
+    auto divergence = run->step();
     pace.count(solver().time(), Pace::Clock::now());
     time = solver().time();
     step = solver().steps();
     speed = pace.speed();
-    if (failure) {
-        message = std::move(*failure);
+    if (divergence) {
+        failure = std::move(*divergence);
         end_run(RunStatus::diverged);
     } else if (solver().finished()) {
         end_run(RunStatus::finished);
@@ -163,7 +164,7 @@ void Engine::Impl::serve() {
             if (!stop && state == RunStatus::running && is_due()) step_once();
         } catch (const std::exception& error) {
             // A full disk in the recorder, memory that ran out: the run ends, the program goes on.
-            message = error.what();
+            failure = {error.what(), -1};
             options.on_frame = nullptr;
             state = RunStatus::diverged;
             publish(true);

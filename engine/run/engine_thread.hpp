@@ -35,9 +35,9 @@ struct Engine::Impl {
     double pause_at = 0;
     std::int64_t steps_left = 0;
     RunStatus state = RunStatus::paused;
-    std::string message;
+    Divergence failure;                          // why the run diverged, if it did
     RunStatus state_at_end = RunStatus::paused;  // while the run is set back
-    std::string message_at_end;
+    Divergence failure_at_end;
     bool stop = false;
 
     // Shared, each behind `mutex`, which is held only to copy or swap a pointer or a small value.

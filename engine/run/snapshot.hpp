@@ -86,6 +86,7 @@ struct Snapshot {
     Energies energy;
     RunStatus status = RunStatus::paused;
     std::string message;  ///< why the run paused, when it diverged
+    std::int32_t failed_cell = -1;  ///< the element that the message names, if any
 };
 
 /// What a snapshot's own arrays take [bytes]; what it shares with others is not counted.

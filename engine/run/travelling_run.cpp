@@ -37,12 +37,12 @@ void TravellingRun::keep_if_due() {
     if (due) states_->add(step, solver_->time(), safe_, memory_of(*safe_));
 }
 
-std::optional<std::string> TravellingRun::step() {
+std::optional<Divergence> TravellingRun::step() {
     keep_if_due();
     const double time = solver_->time();
     const std::int64_t failed = solver_->steps();
     record_.before_step(*solver_);
-    const auto divergence = solver_->step();
+    auto divergence = solver_->step();
     record_.after_step(*solver_, time, !divergence);
     if (!divergence) return std::nullopt;
     // Back to the last step whose stresses are known to be sound.
@@ -53,7 +53,7 @@ std::optional<std::string> TravellingRun::step() {
         solver_->restore(safe_->solver);
         break;
     }
-    return divergence->message;
+    return divergence;
 }
 
 void TravellingRun::set_step(const StepSize& size) {

@@ -34,7 +34,7 @@ class TravellingRun {
 
     /// Makes and records one step. @pre the run is not set back. @returns why the run cannot go on, if so; it
     /// then stands at its last good step.
-    std::optional<std::string> step();
+    std::optional<Divergence> step();
     /// Changes the step control from the next step of the run on. @throws SceneError when a fixed step is
     /// above the critical one; nothing has changed then.
     void set_step(const StepSize& size);

@@ -108,6 +108,22 @@ void show_effects(const Scene& scene) {
     }
 }
 
+/// A recorded run is what it is.
+void show_recorded_design(const Scene& scene) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("a recorded run; it was made with");
+    ImGui::PopTextWrapPos();
+    for (const Parameter& parameter : scene.parameters) {
+        ImGui::TextUnformatted(
+            fmt::format("{} = {:.6g} {}", parameter.name, parameter.value, parameter.unit).c_str());
+        tooltip(parameter.description);
+    }
+    if (scene.parameters.empty()) ImGui::TextDisabled("no [parameters]");
+    ImGui::PushTextWrapPos(0);
+    for (const std::string& changed : scene.overrides) ImGui::TextDisabled("--set %s", changed.c_str());
+    ImGui::PopTextWrapPos();
+}
+
 }  // namespace
 
 void show_design(Workbench& w) {
@@ -115,6 +131,10 @@ void show_design(Workbench& w) {
     w.names.name("header.design");
     if (!open || !w.run.snapshot()) return;
     const Scene& scene = w.run.snapshot()->setup->scene;
+    if (w.run.recorded()) {
+        show_recorded_design(scene);
+        return;
+    }
     bool any = false;
     for (const Parameter& parameter : scene.parameters) {
         show_parameter(w, parameter);

@@ -29,7 +29,7 @@ void menu(Workbench& workbench, const char* title, std::initializer_list<const c
 void show_menu(Workbench& workbench) {
     if (!ImGui::BeginMainMenuBar()) return;
     menu(workbench, "Scene", {"scene.", "reference.", "quit"});
-    menu(workbench, "Run", {"run."});
+    menu(workbench, "Run", {"run.", "time."});
     menu(workbench, "View", {"view.", "plots."});
     menu(workbench, "Window", {"panels.", "window."});
     menu(workbench, "Help", {"help"});

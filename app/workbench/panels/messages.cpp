@@ -40,6 +40,10 @@ void show_messages(Workbench& w, const PanelArea& viewport) {
         command_button(w, "scene.file-values");
     } else {
         command_button(w, "run.reset");
+        if (snapshot->failed_cell >= 0) {
+            ImGui::SameLine();
+            command_button(w, "view.failure");
+        }
     }
     ImGui::End();
     ImGui::PopStyleColor();

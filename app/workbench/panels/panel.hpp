@@ -38,6 +38,8 @@ void tooltip(const std::string& text);
 void show_menu(Workbench& workbench);
 void show_run_bar(Workbench& workbench, const PanelArea& area);
 void show_viewport(Workbench& workbench, const PanelArea& area);
+[[nodiscard]] float timeline_height(const Workbench& workbench);  ///< [pixels]
+void show_timeline(Workbench& workbench, const PanelArea& area);
 void show_view_settings(Workbench& workbench);  ///< within the panel on the left
 void show_design(Workbench& workbench);         ///< likewise
 void show_reference(Workbench& workbench);      ///< likewise

@@ -20,6 +20,8 @@ constexpr std::array<ImU32, 14> palette{
     IM_COL32(140, 60, 0, 255),    IM_COL32(0, 95, 70, 255),    IM_COL32(130, 70, 105, 255),
     IM_COL32(150, 100, 0, 255),   IM_COL32(50, 110, 145, 255)};
 
+constexpr ImU32 shown_moment_colour = IM_COL32(224, 32, 32, 255);
+
 bool shown(const PlotsState& state, const PlotInfo& plot, const CurveInfo& curve) {
     return curve.shown != state.toggled.contains(plot.name + "/" + curve.label);
 }
@@ -252,6 +254,11 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     if (cursor)
         ink.AddLine({axes.x(*cursor), axes.low.y}, {axes.x(*cursor), axes.high.y},
                     ImGui::GetColorU32(ImGuiCol_Text, 0.6F));
+    if (!w.run.live()) {  // the moment that the picture shows
+        const float x = axes.x(w.run.snapshot()->time);
+        ink.AddLine({x, axes.low.y}, {x, axes.high.y}, shown_moment_colour,
+                    static_cast<float>(1.6 * w.screen.scale()));
+    }
     ink.PopClipRect();
     ImGui::SetCursorScreenPos(axes.low);
     ImGui::InvisibleButton(plot.name.c_str(), {axes.high.x - axes.low.x, axes.high.y - axes.low.y});

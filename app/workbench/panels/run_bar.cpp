@@ -17,9 +17,15 @@ std::string count_text(double count) {
 
 void show_buttons(Workbench& w, const Units& units, double duration) {
     const float em = ImGui::GetFontSize();
-    const bool running = w.run.status() == RunStatus::running;
     const bool ended = w.run.status() == RunStatus::finished || w.run.status() == RunStatus::diverged;
-    command_button(w, "run.toggle", running ? "Pause" : ended ? "Run again" : "Run", 6 * em);
+    const char* label = "Run";
+    if (!w.run.live())
+        label = w.run.playing() ? "Pause" : "Play";
+    else if (w.run.status() == RunStatus::running)
+        label = "Pause";
+    else if (ended)
+        label = "Run again";
+    command_button(w, "run.toggle", label, 6 * em);
     ImGui::SameLine();
     command_button(w, "run.step", "Step");
     ImGui::SameLine(0, 1.4F * em);
@@ -60,7 +66,8 @@ void show_progress(Workbench& w, const Snapshot& now) {
     const Units& units = now.setup->scene.units;
     const double duration = now.setup->scene.duration;
     const DisplayUnit unit = units.display(Quantity::time, duration);
-    const std::string text = fmt::format("{}  t = {:.4g} of {:.4g} {}", status_word(w.run.status()),
+    const char* status = w.run.recorded() && !w.run.playing() ? "recorded" : status_word(w.run.status());
+    const std::string text = fmt::format("{}  t = {:.4g} of {:.4g} {}", w.run.playing() ? "playing" : status,
                                          unit.scale * now.time, unit.scale * duration, unit.label);
     ImGui::ProgressBar(static_cast<float>(std::clamp(now.time / duration, 0.0, 1.0)),
                        {22 * ImGui::GetFontSize(), 0}, text.c_str());
@@ -72,7 +79,7 @@ void show_progress(Workbench& w, const Snapshot& now) {
     if (now.dt > 0)
         facts += fmt::format("  of {}, {:.2f} critical", quantity_text(units, Quantity::time, now.dt),
                              now.dt / now.critical_step);
-    if (w.run.speed() > 0 && now.dt > 0)
+    if (w.run.speed() > 0 && now.dt > 0 && !w.run.recorded())
         facts += fmt::format("     {} a second, {} steps a second",
                              quantity_text(units, Quantity::time, w.run.speed()),
                              count_text(w.run.speed() / now.dt));
@@ -92,7 +99,7 @@ void show_run_bar(Workbench& w, const PanelArea& area) {
         return;
     }
     show_buttons(w, snapshot->setup->scene.units, snapshot->setup->scene.duration);
-    show_progress(w, *snapshot);
+    show_progress(w, *w.run.newest());
 }
 
 void show_time_spent(Workbench& w) {

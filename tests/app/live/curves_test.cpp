@@ -88,8 +88,8 @@ TEST(Reference, ComparesPeaksUpToTheTimeThatBothHave) {
     const auto present = run(6, 4), kept = run(10, 5);
     Curves curves;
     curves.follow(present);
-    Reference reference{kept, nullptr, {}};
-    reference.follow(present, nullptr);
+    Reference reference{kept, [](double) { return nullptr; }, {}, nullptr};
+    reference.follow(0);
     const std::vector<PlotInfo> plots{{"forces.y", "", Quantity::force, {{1, "a"}}}};
     const auto peaks = peak_differences(plots, present->columns(), curves, reference);
     ASSERT_EQ(peaks.size(), 1U);

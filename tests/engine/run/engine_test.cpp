@@ -42,6 +42,15 @@ Scene squeezed(double velocity, const std::vector<std::string>& overrides = {}) 
     return ::testing::AssertionSuccess();
 }
 
+/// Messages count elements in their body, snapshots in the mesh.
+bool names_the_failed_element(const Snapshot& s) {
+    for (const MeshBody& body : s.setup->mesh.bodies)
+        if (s.failed_cell >= body.cell_begin && s.failed_cell < body.cell_end)
+            return s.message.find("element " + std::to_string(s.failed_cell - body.cell_begin) +
+                                  " of body '" + body.name + "'") != std::string::npos;
+    return false;
+}
+
 bool finite(const Snapshot& snapshot) {
     const auto good = [](double x) { return std::isfinite(x); };
     return std::all_of(snapshot.position.begin(), snapshot.position.end(), good) &&
@@ -322,6 +331,7 @@ TEST(Engine, AnInvertedElementEndsTheRunAtItsLastGoodStep) {
     EXPECT_EQ(engine.status(), RunStatus::diverged);
     EXPECT_THAT(last->message, HasSubstr("element "));
     EXPECT_THAT(last->message, HasSubstr("of body 'rod' turned inside out at "));
+    EXPECT_TRUE(names_the_failed_element(*last));
     EXPECT_TRUE(finite(*last));
     EXPECT_GT(last->step, 0);
     EXPECT_GE(last->step + 3, static_cast<std::int64_t>(engine.history()->rows()))
@@ -344,6 +354,7 @@ TEST(Engine, EnergyGrowthEndsTheRun) {
     EXPECT_THAT(engine.snapshot()->message, HasSubstr("energy grew by "));
     EXPECT_THAT(engine.snapshot()->message, HasSubstr("element "));
     EXPECT_THAT(engine.snapshot()->message, HasSubstr("of body '"));
+    EXPECT_TRUE(names_the_failed_element(*engine.snapshot()));
     EXPECT_TRUE(finite(*engine.snapshot()));
     const auto times = engine.history()->values("time");
     EXPECT_TRUE(std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end())

@@ -1,0 +1,49 @@
+#include "recorded_run.hpp"
+
+#include <mutex>
+#include <optional>
+
+#include "record/run_file.hpp"
+
+namespace percuss::app {
+namespace {
+
+std::mutex& hdf5_turn() {
+    static std::mutex turn;
+    return turn;
+}
+
+class RecordedRun final : public RunSource {
+  public:
+    explicit RecordedRun(const std::filesystem::path& file) {
+        const std::lock_guard lock(hdf5_turn());
+        run_.emplace(file);
+    }
+    ~RecordedRun() override {
+        const std::lock_guard lock(hdf5_turn());
+        run_.reset();
+    }
+    std::vector<double> frame_times() override {
+        const std::lock_guard lock(hdf5_turn());
+        return run_->frame_times();
+    }
+    std::shared_ptr<const Snapshot> frame(std::int64_t index) override {
+        const std::lock_guard lock(hdf5_turn());
+        return run_->frame(index);
+    }
+    std::shared_ptr<const History> history() override {
+        const std::lock_guard lock(hdf5_turn());
+        return run_->history();
+    }
+
+  private:
+    std::optional<RunFile> run_;
+};
+
+}  // namespace
+
+std::unique_ptr<RunSource> open_recorded_run(const std::filesystem::path& file) {
+    return std::make_unique<RecordedRun>(file);
+}
+
+}  // namespace percuss::app
