@@ -65,7 +65,7 @@ void write_screenshot(Workbench& workbench, const render::Screen& screen) {
 /// Leaves the processor to the engine until the next frame is due; asleep when there is nothing to show.
 void rest(render::Screen& screen, const Workbench& workbench, Clock::time_point frame_began, bool scripted) {
     const double left = frame_period - std::chrono::duration<double>(Clock::now() - frame_began).count();
-    const bool waits = workbench.run.building() || workbench.run.status() == RunStatus::running;
+    const bool waits = workbench.run.building() || workbench.exports.busy() || workbench.run.status() == RunStatus::running;
     if (scripted) {
         if (waits && left > 0) screen.rest(left);
     } else if (workbench.at_rest()) {
@@ -99,7 +99,9 @@ int view(const ViewCommand& command) {
         if (player && player->done()) break;
         if (!screen->begin_frame(input)) break;
         workbench.frame();
-        screen->end_frame(workbench.screenshot.has_value());
+        const bool record = workbench.exports.wants_frame(workbench);
+        screen->end_frame(record || workbench.screenshot.has_value());
+        if (record) workbench.exports.take_frame(workbench, screen->grabbed());
         write_screenshot(workbench, *screen);
         rest(*screen, workbench, began, player.has_value());
     }

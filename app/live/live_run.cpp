@@ -16,6 +16,12 @@ std::filesystem::file_time_type time_of(const std::filesystem::path& file) {
     return missing ? std::filesystem::file_time_type{} : time;
 }
 
+std::vector<std::string> together(std::vector<std::string> overrides,
+                                  const std::map<std::string, std::string>& settings) {
+    for (const auto& [key, value] : settings) overrides.push_back(key + "=" + value);
+    return overrides;
+}
+
 template <class T>
 bool ready(const std::future<T>& future) {
     return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -80,6 +86,8 @@ std::optional<std::string> LiveRun::setting(const std::string& key) const {
     return found->second;
 }
 
+std::vector<std::string> LiveRun::overrides() const { return together(overrides_, settings_); }
+
 void LiveRun::request(Request wanted) {
     if (building_)
         next_ = std::move(wanted);
@@ -96,9 +104,7 @@ void LiveRun::begin(Request wanted) {
 LiveRun::Built LiveRun::build(const Request& wanted) const {
     Built built;
     try {
-        std::vector<std::string> overrides = wanted.overrides;
-        for (const auto& [key, value] : wanted.settings) overrides.push_back(key + "=" + value);
-        Scene scene = load_scene(wanted.file, overrides);
+        Scene scene = load_scene(wanted.file, together(wanted.overrides, wanted.settings));
         built.warnings = scene.warnings;
         built.engine = std::make_unique<Engine>(std::move(scene), options_);
     } catch (const SceneError& error) {
@@ -169,6 +175,10 @@ void LiveRun::update() {
 std::shared_ptr<const Snapshot> LiveRun::frame_at(double time) const {
     return engine_ ? engine_->frame_at(time) : nullptr;
 }
+
+std::shared_ptr<const FrameHistory> LiveRun::frames() const { return engine_ ? engine_->frames() : nullptr; }
+
+std::vector<Trace> LiveRun::traces() const { return engine_ ? engine_->traces() : std::vector<Trace>{}; }
 
 Timeline LiveRun::timeline() const { return engine_ ? engine_->timeline() : Timeline{}; }
 

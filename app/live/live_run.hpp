@@ -33,6 +33,8 @@ class LiveRun {
     void set(const std::string& key, const std::string& value);
     void forget(const std::string& key);  ///< its value is that of the file again
     void forget_settings();               ///< all values as they are in the file
+    /// What the run shown has been given beside its file, "key=value" in the order in which it acts.
+    [[nodiscard]] std::vector<std::string> overrides() const;
     /// The value set for a key, if any.
     [[nodiscard]] std::optional<std::string> setting(const std::string& key) const;
 
@@ -55,6 +57,9 @@ class LiveRun {
     [[nodiscard]] RunStatus status() const { return status_; }
     /// The newest kept moment that is not later than `time`; null when there is none [time].
     [[nodiscard]] std::shared_ptr<const Snapshot> frame_at(double time) const;
+    /// All kept moments of the present run together, to go on with when it is replaced; may be null.
+    [[nodiscard]] std::shared_ptr<const FrameHistory> frames() const;
+    [[nodiscard]] std::vector<Trace> traces() const;       ///< what the scene's figures sample
     [[nodiscard]] Timeline timeline() const;               ///< of the present run, newer than its snapshot
     [[nodiscard]] double speed() const { return speed_; }  ///< as RunProgress::speed
     /// Why the last scene or value was refused, one line a fault; empty when it was not.

@@ -58,6 +58,7 @@ void Workbench::frame() {
             show_view_settings(*this);
             show_design(*this);
             show_reference(*this);
+            show_export(*this);
             show_time_spent(*this);
         }
         show_plots(*this, {display.x - right, top, right, height});
@@ -67,12 +68,13 @@ void Workbench::frame() {
     show_messages(*this, middle);
     show_scene_picker(*this);
     show_help(*this);
+    exports.advance(*this);
 
     ++frames;
 }
 
 bool Workbench::at_rest() const {
-    return run.status() != RunStatus::running && !run.building() && !viewport.dirty &&
+    return run.status() != RunStatus::running && !run.building() && !exports.busy() && !viewport.dirty &&
            viewport.drawn == run.snapshot();
 }
 

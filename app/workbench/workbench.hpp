@@ -15,6 +15,7 @@
 #include "ui/screen.hpp"
 #include "view/live_view.hpp"
 #include "view/pick.hpp"
+#include "workbench/export/exports.hpp"
 #include "workbench/widget_names.hpp"
 
 namespace percuss::app {
@@ -39,6 +40,7 @@ struct ViewportState {
     std::filesystem::path file;  ///< of the scene whose view options these are
     unsigned texture = 0;
     std::shared_ptr<const Snapshot> drawn;
+    long long draws = 0;  ///< pictures of the model so far
     std::array<int, 2> drawn_size{0, 0};
     render::Picked hovered;
 };
@@ -80,6 +82,7 @@ class Workbench {
     render::Screen& screen;
     ViewportState viewport;
     PlotsState plots;
+    Exports exports;
     std::optional<Reference> reference;  ///< the run that the present one is compared with
     WidgetNames names;
     bool panels = true, help = false, pick_scene = false;

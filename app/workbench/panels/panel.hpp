@@ -41,6 +41,7 @@ void show_viewport(Workbench& workbench, const PanelArea& area);
 void show_view_settings(Workbench& workbench);  ///< within the panel on the left
 void show_design(Workbench& workbench);         ///< likewise
 void show_reference(Workbench& workbench);      ///< likewise
+void show_export(Workbench& workbench);         ///< likewise
 void show_time_spent(Workbench& workbench);     ///< likewise
 void show_plots(Workbench& workbench, const PanelArea& area);
 void show_messages(Workbench& workbench, const PanelArea& viewport);

@@ -8,6 +8,7 @@
 
 #include "figures/ticks.hpp"
 #include "workbench/panels/panel.hpp"
+#include "workbench/shown_curves.hpp"
 
 namespace percuss::app {
 namespace {
@@ -19,10 +20,6 @@ constexpr std::array<ImU32, 14> palette{
     IM_COL32(120, 120, 120, 255), IM_COL32(190, 175, 20, 255), IM_COL32(0, 70, 110, 255),
     IM_COL32(140, 60, 0, 255),    IM_COL32(0, 95, 70, 255),    IM_COL32(130, 70, 105, 255),
     IM_COL32(150, 100, 0, 255),   IM_COL32(50, 110, 145, 255)};
-
-bool shown(const PlotsState& state, const PlotInfo& plot, const CurveInfo& curve) {
-    return curve.shown != state.toggled.contains(plot.name + "/" + curve.label);
-}
 
 void flip(std::set<std::string>& names, const std::string& name) {
     if (names.erase(name) == 0) names.insert(name);
@@ -70,22 +67,6 @@ struct Axes {
     }
     [[nodiscard]] double time(float at) const { return from + (to - from) * (at - low.x) / (high.x - low.x); }
 };
-
-/// The reference's column for a curve, unless the reference is the present run itself.
-std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo& curve) {
-    if (!w.reference || w.reference->history == w.run.history()) return std::nullopt;
-    return w.reference->column(w.plots.columns[curve.column].name);
-}
-
-std::array<double, 2> shown_times(const Workbench& w) {
-    if (w.plots.time) return *w.plots.time;
-    const Curves& curves = w.plots.curves;
-    const double duration = w.run.snapshot()->setup->scene.duration;
-    double last = curves.rows() > 0 ? curves.times()[curves.rows() - 1] : 0;
-    if (w.reference && w.reference->curves.rows() > 0)
-        last = std::max(last, w.reference->curves.times()[w.reference->curves.rows() - 1]);
-    return {0, std::max(last, 0.02 * duration)};
-}
 
 /// Least and greatest of what is shown, with a little room; zero is kept in sight when it is near.
 std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std::array<double, 2>& times) {
@@ -210,6 +191,24 @@ void navigate(Workbench& w, const PlotInfo& plot, const Axes& axes) {
     if (!ImGui::IsItemActive()) tell_values(w, plot, *w.plots.cursor);
 }
 
+/// What can be done with a plot, at the right end of its title.
+void show_plot_menu(Workbench& w, const PlotInfo& plot) {
+    const std::string id = plot.name + ".menu", name = "plots." + id;
+    ImGui::SameLine();
+    if (ImGui::SmallButton(fmt::format("\u2026##{}", id).c_str())) ImGui::OpenPopup(id.c_str());
+    w.names.name(name);
+    tooltip("Writes this plot to a file.");
+    if (!ImGui::BeginPopup(id.c_str())) return;
+    const auto item = [&](const char* label, const char* end, PlotFormat format, const char* help) {
+        if (ImGui::MenuItem(label)) w.exports.save_plot(w, plot, format);
+        w.names.name(name + end);
+        tooltip(help);
+    };
+    item("Curves as CSV", ".csv", PlotFormat::csv, "The visible curves, every step within the times shown.");
+    item("Picture as PNG", ".png", PlotFormat::png, "The visible curves within the times shown, for print.");
+    ImGui::EndPopup();
+}
+
 void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::array<double, 2>& times,
                bool last, std::optional<double> cursor) {
     const float em = ImGui::GetFontSize();
@@ -220,11 +219,14 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     const std::string title =
         unit.label.empty() ? plot.title : fmt::format("{} [{}]", plot.title, unit.label);
     ImGui::PushFont(w.screen.fonts().bold);
-    if (ImGui::Selectable(fmt::format("{} {}##{}", open ? "\u2013" : "+", title, plot.name).c_str()))
+    const float room = open ? ImGui::GetContentRegionAvail().x - 2 * em : 0;
+    if (ImGui::Selectable(fmt::format("{} {}##{}", open ? "\u2013" : "+", title, plot.name).c_str(), false, 0,
+                          {room, 0}))
         flip(w.plots.folded, plot.name);
     ImGui::PopFont();
     w.names.name("plots." + plot.name + ".title");
     if (!open) return;
+    show_plot_menu(w, plot);
     const float top = ImGui::GetCursorPosY();
     show_legend(w, plot);
     const float used = ImGui::GetCursorPosY() - top;

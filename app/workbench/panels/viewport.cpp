@@ -7,13 +7,11 @@
 #include "image.hpp"
 #include "ui/draw_list_canvas.hpp"
 #include "view/bodies.hpp"
-#include "view/outline.hpp"
 #include "workbench/panels/panel.hpp"
+#include "workbench/viewport_ink.hpp"
 
 namespace percuss::app {
 namespace {
-
-constexpr render::Colour reference_colour = 0x3aa0ff;  // told from arrows and from viridis
 
 /// A run was opened, built anew or changed: the picture goes on with its setup.
 void follow_setup(Workbench& w) {
@@ -61,6 +59,7 @@ void draw_model(Workbench& w, std::array<int, 2> size) {
         v.texture = v.view->draw(snapshot, size, w.screen.scale());
     }
     v.drawn = snapshot;
+    ++v.draws;
     v.drawn_size = size;
     v.dirty = false;
 }
@@ -148,21 +147,6 @@ void show_values(const Workbench& w) {
     ImGui::EndTooltip();
 }
 
-void write_time(const Workbench& w, ImDrawList& ink, const PanelArea& area) {
-    const Snapshot& now = *w.viewport.drawn;
-    const Scene& scene = now.setup->scene;
-    const DisplayUnit unit = scene.units.display(Quantity::time, scene.duration);
-    const double largest = unit.scale * scene.duration;
-    const int decimals =
-        largest > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6) : 1;
-    const std::string time = fmt::format("t = {:.{}f} {}", unit.scale * now.time, decimals, unit.label);
-    ImFont* font = w.screen.fonts().bold;
-    const float pad = 0.7F * font->FontSize;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, time.c_str());
-    ink.AddText(font, font->FontSize, {area.x + area.width - size.x - pad, area.y + pad},
-                IM_COL32(31, 38, 48, 255), time.c_str());
-}
-
 }  // namespace
 
 void show_viewport(Workbench& w, const PanelArea& area) {
@@ -189,11 +173,9 @@ void show_viewport(Workbench& w, const PanelArea& area) {
                  {1, 0});
     ink.PushClipRect(low, high, true);
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
-    if (w.reference && w.reference->last != v.drawn)
-        render::paint_outline(canvas, *w.reference->last, v.view->plane(), v.view->fit(), v.view->model(),
-                              reference_colour, 1.5 * w.screen.scale());
+    paint_beneath(w, *v.view, v.drawn, w.screen.scale(), canvas);
     v.view->paint(canvas);
-    write_time(w, ink, area);
+    paint_above(*v.view, *v.drawn, w.screen.scale(), canvas);
     ink.PopClipRect();
     ImGui::SetCursorScreenPos(low);
     ImGui::InvisibleButton("viewport", {area.width, area.height});
