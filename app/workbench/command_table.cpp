@@ -53,7 +53,8 @@ void frame_model(Workbench& w, Framing framing) {
 }
 
 void zoom_text(Workbench& w, double factor) {
-    w.screen.set_scale(std::clamp(factor == 0 ? 1 : w.screen.scale() * factor, 0.75, 2.5));
+    w.layout.scale = std::clamp(factor == 0 ? 1 : w.screen.scale() * factor, 0.75, 2.5);
+    w.screen.set_scale(*w.layout.scale);
     w.viewport.dirty = true;
 }
 
@@ -139,7 +140,10 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
         {"panels.toggle", "Panels", "Tab", "Hides all panels but the picture, or shows them again.",
          [](Workbench& w) { w.panels = !w.panels; }, [](const Workbench& w) { return w.panels; }},
         {"window.dark", "Dark", "", "Light letters on dark panels; the picture stays on white.",
-         [](Workbench& w) { w.screen.set_dark(!w.screen.dark()); },
+         [](Workbench& w) {
+             w.layout.dark = !w.screen.dark();
+             w.screen.set_dark(*w.layout.dark);
+         },
          [](const Workbench& w) { return w.screen.dark(); }},
         {"window.larger", "Larger text", "Ctrl++", "Letters and widgets a quarter larger.",
          [](Workbench& w) { zoom_text(w, 1.25); }},

@@ -37,6 +37,14 @@ constexpr NamedValue always[] = {
     {"export.written", [](const Workbench& w) -> Value { return joined(w.exports.written()); }},
     {"export.faults", [](const Workbench& w) -> Value { return joined(w.exports.faults()); }},
     {"recording", [](const Workbench& w) -> Value { return flag(w.exports.recording()); }},
+    {"dark", [](const Workbench& w) -> Value { return flag(w.screen.dark()); }},
+    {"recent",
+     [](const Workbench& w) -> Value {
+         return w.layout.recent.empty() ? std::string() : w.layout.recent.front().string();
+     }},
+    {"thumbnails.busy", [](const Workbench& w) -> Value { return flag(w.thumbnails.busy()); }},
+    {"thumbnails.drawn",
+     [](const Workbench& w) -> Value { return static_cast<double>(w.thumbnails.drawn()); }},
     {"scale", [](const Workbench& w) -> Value { return w.screen.scale(); }},
     {"field", [](const Workbench& w) -> Value { return w.viewport.options.field; }},
     {"edges", [](const Workbench& w) -> Value { return flag(w.viewport.options.edges); }},

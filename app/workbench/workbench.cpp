@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include <imgui.h>
@@ -31,7 +32,28 @@ void watch_file(Workbench& w) {
     if (w.reload_by_itself && w.frames % 20 == 0 && w.run.file_changed()) w.run.reload();
 }
 
+/// Which sections of the panel on the left are open; only those are known that were ever clicked.
+void follow_sections(Workbench& w) {
+    ImGuiStorage& open = *ImGui::GetStateStorage();
+    if (w.frames == 0)
+        for (const auto& [id, on] : w.layout.sections) open.SetBool(id, on);
+    for (const auto& pair : open.Data) w.layout.sections[pair.key] = pair.val_i != 0;
+}
+
+void follow_scene(Workbench& w) {
+    if (!w.run.file().empty() && (w.layout.recent.empty() || w.opened != w.run.file())) {
+        w.opened = w.run.file();
+        w.layout.remember(w.opened);
+    }
+}
+
 }  // namespace
+
+void Workbench::use_layout(WindowLayout wanted) {
+    layout = std::move(wanted);
+    plots.toggled = layout.curves;
+    if (layout.dark) screen.set_dark(*layout.dark);
+}
 
 void Workbench::frame() {
     names.begin_frame();
@@ -39,6 +61,7 @@ void Workbench::frame() {
     watch_file(*this);
     if (std::chrono::steady_clock::now() > note_until_) note_.clear();
     run.update();
+    follow_scene(*this);
     if (reference) reference->follow(run.history(), run.snapshot());
     obey_keys(*this);
 
@@ -52,9 +75,12 @@ void Workbench::frame() {
         show_menu(*this);
         show_run_bar(*this, {0, menu, display.x, bar});
         const float top = menu + bar, height = std::max(display.y - top, 1.0F);
-        const float left = std::min(21 * em, 0.3F * display.x), right = std::min(0.31F * display.x, 40 * em);
+        const float left = panel_width(layout.left, std::min(21 * em, 0.3F * display.x));
+        const float right = panel_width(layout.right, std::min(0.31F * display.x, 40 * em));
+        const float grip = std::round(0.4F * em);
         {
             const Panel panel("settings", {0, top, left, height});
+            follow_sections(*this);
             show_view_settings(*this);
             show_design(*this);
             show_reference(*this);
@@ -62,7 +88,10 @@ void Workbench::frame() {
             show_time_spent(*this);
         }
         show_plots(*this, {display.x - right, top, right, height});
-        middle = {left, top, display.x - left - right, height};
+        show_splitter(*this, "splitter.left", {left, top, grip, height}, left, true, layout.left);
+        show_splitter(*this, "splitter.right", {display.x - right - grip, top, grip, height}, right, false,
+                      layout.right);
+        middle = {left + grip, top, std::max(display.x - left - right - 2 * grip, 1.0F), height};
     }
     show_viewport(*this, middle);
     show_messages(*this, middle);
@@ -74,8 +103,8 @@ void Workbench::frame() {
 }
 
 bool Workbench::at_rest() const {
-    return run.status() != RunStatus::running && !run.building() && !exports.busy() && !viewport.dirty &&
-           viewport.drawn == run.snapshot();
+    return run.status() != RunStatus::running && !run.building() && !exports.busy() &&
+           !(pick_scene && thumbnails.busy()) && !viewport.dirty && viewport.drawn == run.snapshot();
 }
 
 void Workbench::tell(std::string words) {

@@ -16,6 +16,8 @@
 #include "view/live_view.hpp"
 #include "view/pick.hpp"
 #include "workbench/export/exports.hpp"
+#include "workbench/layout.hpp"
+#include "workbench/thumbnails/thumbnails.hpp"
 #include "workbench/widget_names.hpp"
 
 namespace percuss::app {
@@ -73,6 +75,8 @@ class Workbench {
     [[nodiscard]] static std::vector<std::string> value_names();
 
     void open(const std::filesystem::path& file) { run.open(file); }
+    /// Arranges the window like this, before its first frame.
+    void use_layout(WindowLayout wanted);
     void do_command(const std::string& name);
     /// Shows a line for some seconds, e.g. where a screenshot went.
     void tell(std::string words);
@@ -83,6 +87,8 @@ class Workbench {
     ViewportState viewport;
     PlotsState plots;
     Exports exports;
+    WindowLayout layout;
+    Thumbnails thumbnails;               ///< of the scene picker
     std::optional<Reference> reference;  ///< the run that the present one is compared with
     WidgetNames names;
     bool panels = true, help = false, pick_scene = false;
@@ -90,6 +96,7 @@ class Workbench {
     int step_count = 100;
     double until = 0;  ///< of "run until" [time]
     bool quit = false;
+    std::filesystem::path opened;                     ///< scene that was remembered last
     std::optional<std::filesystem::path> screenshot;  ///< to be written after this frame
     long long frames = 0;
 

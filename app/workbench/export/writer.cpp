@@ -26,6 +26,7 @@ void Writer::post(Chore chore) {
 
 std::vector<Writer::Result> Writer::take_results() {
     const std::lock_guard lock(mutex_);
+    waiting_ -= results_.size();
     return std::exchange(results_, {});
 }
 
@@ -49,7 +50,6 @@ void Writer::work() {
         }
         lock.lock();
         results_.push_back(std::move(result));
-        --waiting_;
     }
 }
 

@@ -27,7 +27,7 @@ class Writer {
 
     void post(Chore chore);
     [[nodiscard]] std::vector<Result> take_results();  ///< since the last call, oldest first
-    [[nodiscard]] std::size_t waiting() const;         ///< posted and not yet written
+    [[nodiscard]] std::size_t waiting() const;         ///< posted, and its result not yet taken
 
   private:
     void work();

@@ -27,6 +27,11 @@ class Panel {
 bool command_button(Workbench& workbench, const char* command, const char* label = "", float width = 0);
 /// The same as a check box.
 void command_box(Workbench& workbench, const char* command);
+/// Width of a panel at the window's side [pixels]: as the user has it, within what the window gives room for.
+[[nodiscard]] float panel_width(const std::optional<double>& chosen, float by_itself);
+/// The rim of a panel, which drags its width. @param present width of that panel [pixels].
+void show_splitter(Workbench& workbench, const char* name, const PanelArea& area, float present,
+                   bool grows_rightwards, std::optional<double>& chosen);
 /// What the last widget is about, shown when the mouse rests on it.
 void tooltip(const std::string& text);
 

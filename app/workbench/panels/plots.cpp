@@ -37,7 +37,8 @@ void show_legend(Workbench& w, const PlotInfo& plot) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = ImGui::GetTextLineHeight();
         const std::string id = fmt::format("{}/{}", plot.name, curve.label);
-        if (ImGui::InvisibleButton(id.c_str(), {width, height})) flip(state.toggled, id);
+        if (ImGui::InvisibleButton(id.c_str(), {width, height}))
+            flip(state.toggled, id), w.layout.curves = state.toggled;
         w.names.name("plots." + id);
         x = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
         const bool on = shown(state, plot, curve);
@@ -222,7 +223,7 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     const float room = open ? ImGui::GetContentRegionAvail().x - 2 * em : 0;
     if (ImGui::Selectable(fmt::format("{} {}##{}", open ? "\u2013" : "+", title, plot.name).c_str(), false, 0,
                           {room, 0}))
-        flip(w.plots.folded, plot.name);
+        flip(w.plots.folded, plot.name), w.layout.plots[plot.name] = !open;
     ImGui::PopFont();
     w.names.name("plots." + plot.name + ".title");
     if (!open) return;
@@ -281,6 +282,9 @@ void show_plots(Workbench& w, const PanelArea& area) {
         const bool low = area.height < 52 * ImGui::GetFontSize();
         for (const PlotInfo& plot : state.plots)
             if (plot.folded || (low && plot.name == "step")) state.folded.insert(plot.name);
+        for (const auto& [name, opened] : w.layout.plots)  // as the user had them
+            opened ? static_cast<void>(state.folded.erase(name))
+                   : static_cast<void>(state.folded.insert(name));
     }
     const std::optional<double> cursor = std::exchange(state.cursor, std::nullopt);
     const auto open = [&](const PlotInfo& plot) { return !state.folded.contains(plot.name); };
