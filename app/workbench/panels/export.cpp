@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "workbench/command_table.hpp"
 #include "workbench/panels/panel.hpp"
 
 namespace percuss::app {
@@ -12,6 +13,23 @@ namespace {
 void field(Workbench& w, const char* name, const char* help) {
     w.names.name(name);
     tooltip(help);
+}
+
+/// Goes on in the same line when a widget of this width fits into it.
+void same_line(float width) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine();
+}
+
+void button_beside(Workbench& w, const char* command, const char* label = "") {
+    const char* words = *label != '\0' ? label : find_command(command)->title.c_str();
+    same_line(ImGui::CalcTextSize(words).x + 2 * ImGui::GetStyle().FramePadding.x);
+    command_button(w, command, label);
+}
+
+void box_beside(const char* label, bool& on) {
+    same_line(ImGui::CalcTextSize(label).x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::Checkbox(label, &on);
 }
 
 void show_film(Workbench& w, const Units& units, double duration) {
@@ -48,8 +66,7 @@ void show_work(Workbench& w) {
     if (!w.exports.working()) return;
     ImGui::ProgressBar(static_cast<float>(w.exports.progress()), {12 * ImGui::GetFontSize(), 0});
     w.names.name("export.progress");
-    ImGui::SameLine();
-    command_button(w, "export.cancel");
+    button_beside(w, "export.cancel");
 }
 
 void show_written(const Workbench& w) {
@@ -81,31 +98,25 @@ void show_export(Workbench& w) {
     ImGui::SliderInt("enlarge", &s.factor, 1, 4, "%dx", ImGuiSliderFlags_AlwaysClamp);
     field(w, "export.factor", "How much larger than on the screen a picture is.");
     command_button(w, "export.picture");
-    ImGui::SameLine();
-    command_button(w, "export.figures");
+    button_beside(w, "export.figures");
     command_button(w, "export.plots-csv");
-    ImGui::SameLine();
-    command_button(w, "export.plots-png");
+    button_beside(w, "export.plots-png");
     ImGui::Spacing();
     show_film(w, scene.units, scene.duration);
     command_button(w, "export.film");
-    ImGui::SameLine();
-    command_button(w, "export.sequence");
-    ImGui::SameLine();
+    button_beside(w, "export.sequence");
     const bool recording = w.exports.recording();
     if (recording) ImGui::PushStyleColor(ImGuiCol_Button, {0.85F, 0.25F, 0.2F, 1});
-    command_button(w, "export.record", recording ? "End recording" : "");
+    button_beside(w, "export.record", recording ? "End recording" : "");
     if (recording) ImGui::PopStyleColor();
     show_work(w);
     ImGui::Spacing();
     ImGui::InputText("scene", &s.scene);
     field(w, "scene.save-name", "File that the scene is saved to, with the values set here.");
     command_button(w, "scene.save");
-    ImGui::SameLine();
-    ImGui::Checkbox("with view", &s.with_view);
+    box_beside("with view", s.with_view);
     field(w, "scene.save-view", "Saves field, colours, range and what else the picture shows, too.");
-    ImGui::SameLine();
-    ImGui::Checkbox("replace", &s.replace);
+    box_beside("replace", s.replace);
     field(w, "scene.save-replace", "Allows the next save to replace a file that exists.");
     ImGui::PopItemWidth();
     show_written(w);
