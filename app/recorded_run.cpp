@@ -35,6 +35,10 @@ class RecordedRun final : public RunSource {
         const std::lock_guard lock(hdf5_turn());
         return run_->history();
     }
+    std::vector<Trace> traces() override {
+        const std::lock_guard lock(hdf5_turn());
+        return run_->traces();
+    }
 
   private:
     std::optional<RunFile> run_;

@@ -25,7 +25,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double frame_period = 1.0 / 60;  // [s]
 
 struct ViewCommand {
-    std::string scene, size = "1280x720";
+    std::string scene;
+    std::optional<std::string> size, layout;
     std::vector<std::string> overrides;
     std::optional<std::string> script;
     bool headless = false, dark = false;
@@ -39,11 +40,38 @@ std::vector<ScriptEvent> read_script(const std::string& file) {
     return parse_script({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, file);
 }
 
-std::unique_ptr<render::Screen> make_screen(const ViewCommand& command) {
-    const auto size = parse_size(command.size);
-    if (command.headless) return render::make_offscreen(size, command.scale / 100);
+/// The file that the window's layout is remembered in. Scripts have none unless they are given one.
+std::optional<std::filesystem::path> file_of_layout(const ViewCommand& command) {
+    if (command.layout) return *command.layout;
+    return command.headless || command.script ? std::nullopt : layout_file();
+}
+
+WindowLayout remembered(const std::optional<std::filesystem::path>& file) {
     try {
-        return render::make_window("percuss", size, command.scale / 100);
+        return file ? read_layout(*file) : WindowLayout{};
+    } catch (const LayoutError& error) {
+        fmt::print(stderr, "percuss: {}; the window looks as at first\n", error.what());
+        return {};
+    }
+}
+
+void remember(WindowLayout layout, std::array<int, 2> size, const std::filesystem::path& file) {
+    if (size[0] >= 64 && size[1] >= 64) layout.window = size;  // not that of an icon
+    try {
+        if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+        write_text_file(file, layout_text(layout));
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "percuss: the window's layout is not remembered: {}\n", error.what());
+    }
+}
+
+std::unique_ptr<render::Screen> make_screen(const ViewCommand& command, const WindowLayout& layout) {
+    const auto size =
+        command.size ? parse_size(*command.size) : layout.window.value_or(std::array{1280, 720});
+    const double scale = command.scale > 0 ? command.scale / 100 : layout.scale.value_or(0);
+    if (command.headless) return render::make_offscreen(size, scale);
+    try {
+        return render::make_window("percuss", size, scale);
     } catch (const render::RenderError& error) {
         throw render::RenderError(
             fmt::format("{}; without a display there are 'percuss run', 'render', 'figures' and 'view "
@@ -67,8 +95,9 @@ void write_screenshot(Workbench& workbench, const render::Screen& screen) {
 /// Leaves the processor to the engine until the next frame is due; asleep when there is nothing to show.
 void rest(render::Screen& screen, const Workbench& workbench, Clock::time_point frame_began, bool scripted) {
     const double left = frame_period - std::chrono::duration<double>(Clock::now() - frame_began).count();
-    const bool waits = workbench.run.building() || workbench.run.status() == RunStatus::running ||
-                       workbench.run.playing() || workbench.run.reading();
+    const bool waits = workbench.run.building() || workbench.exports.busy() ||
+                       workbench.run.status() == RunStatus::running || workbench.run.playing() ||
+                       workbench.run.reading();
     if (scripted) {
         if (waits && left > 0) screen.rest(left);
     } else if (workbench.at_rest()) {
@@ -90,11 +119,15 @@ int view(const ViewCommand& command) {
     }
     std::optional<ScriptPlayer> player;
     if (command.script) player.emplace(read_script(*command.script), *command.script);
-    const std::unique_ptr<render::Screen> screen = make_screen(command);
-    screen->set_dark(command.dark);
+    const auto layout_kept = file_of_layout(command);
+    WindowLayout layout = remembered(layout_kept);
+    const std::unique_ptr<render::Screen> screen = make_screen(command, layout);
     EngineOptions options;
     options.threads = command.threads;
     Workbench workbench(*screen, std::move(options), open_recorded_run);
+    workbench.use_layout(std::move(layout));
+    if (command.dark) screen->set_dark(true);
+    if (layout_kept) workbench.thumbnails.keep_in(thumbnail_folder());
     if (command.scene.empty())
         workbench.pick_scene = !player;
     else
@@ -105,10 +138,13 @@ int view(const ViewCommand& command) {
         if (player && player->done()) break;
         if (!screen->begin_frame(input)) break;
         workbench.frame();
-        screen->end_frame(workbench.screenshot.has_value());
+        const bool record = workbench.exports.wants_frame(workbench);
+        screen->end_frame(record || workbench.screenshot.has_value());
+        if (record) workbench.exports.take_frame(workbench, screen->grabbed());
         write_screenshot(workbench, *screen);
         rest(*screen, workbench, began, player.has_value());
     }
+    if (layout_kept) remember(workbench.layout, screen->size(), *layout_kept);
     return exit_status::ok;
 }
 
@@ -131,9 +167,15 @@ void add_view(CLI::App& app, Job& job) {
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();
-    command.add_option("--size", options->size, "of the window [pixels]")
-        ->type_name("WxH")
-        ->capture_default_str();
+    command
+        .add_option("--size", options->size,
+                    "of the window [pixels]; default: as it was left, 1280x720 at first")
+        ->type_name("WxH");
+    command
+        .add_option("--layout", options->layout,
+                    "file that remembers panels, folded plots, letters, window and recent scenes; "
+                    "default: $XDG_STATE_HOME/percuss/window.json, none with --script")
+        ->type_name("FILE.json");
     command
         .add_option("--scale", options->scale, "of text and widgets [percent]; default: as the display says")
         ->check(CLI::Range(75.0, 250.0));

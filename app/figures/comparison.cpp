@@ -192,7 +192,7 @@ render::Page make_comparison(const RecordedRun& a, const RecordedRun& b,
     std::array<std::shared_ptr<const Snapshot>, 2> last;
     for (std::size_t k = 0; k < 2; ++k) {
         const RecordedRun& run = k == 0 ? a : b;
-        last[k] = frame_near(*run.file, run.setup->scene.duration);
+        last[k] = frame_near(run.frames, run.setup->scene.duration);
         render::MeshPicture picture;
         picture.snapshot = last[k];
         picture.options = run.setup->scene.view;

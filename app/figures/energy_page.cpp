@@ -37,8 +37,8 @@ RunPage make_energy_page(const RecordedRun& run, const FigureSpec& figure) {
     std::vector<double> times;
     std::vector<std::vector<EnergyShare>> budgets;
     double most = 0;
-    for (std::int64_t f = 0; f < run.file->frames(); ++f) {
-        const auto frame = run.file->frame(f);
+    for (std::size_t f = 0; f < run.frames.size(); ++f) {
+        const auto frame = run.frames[f];
         budgets.push_back(energy_budget(*frame));
         times.push_back(frame->time);
         most = std::max(most, std::abs(frame->energy.external));

@@ -49,7 +49,7 @@ std::array<double, 2> range_of(const FigureSpec& figure,
 RunPage make_mesh_page(const RecordedRun& run, const FigureSpec& figure) {
     const Scene& scene = run.setup->scene;
     std::vector<std::shared_ptr<const Snapshot>> frames;
-    for (const double time : figure.times) frames.push_back(frame_near(*run.file, time));
+    for (const double time : figure.times) frames.push_back(frame_near(run.frames, time));
     const std::array<double, 4> region = region_of(figure, frames);
 
     RunPage result;

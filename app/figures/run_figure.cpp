@@ -128,7 +128,9 @@ RecordedRun load_recorded_run(const std::filesystem::path& run_file,
         changed->scene = parse_scene(setup->scene.text, setup->scene.file, all);
         setup = std::move(changed);
     }
-    RecordedRun run{step_label(setup->scene), setup, file->history(), {}, file, file->traces()};
+    RunFrames frames{file->frame_times(),
+                     [file](std::size_t index) { return file->frame(static_cast<std::int64_t>(index)); }};
+    RecordedRun run{step_label(setup->scene), setup, file->history(), {}, std::move(frames), file->traces()};
     const std::string summary = file->summary();
     if (!summary.empty()) run.summary = nlohmann::ordered_json::parse(summary);
     return run;

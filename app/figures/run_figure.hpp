@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,13 +15,21 @@
 
 namespace percuss::app {
 
-/// A finished (or killed) run as figures need it.
+/// The moments of a run that figures can show, in order of time.
+struct RunFrames {
+    std::vector<double> times;                                         ///< [time]
+    std::function<std::shared_ptr<const Snapshot>(std::size_t)> read;  ///< the moment at times[i]
+    [[nodiscard]] std::size_t size() const { return times.size(); }
+    [[nodiscard]] std::shared_ptr<const Snapshot> operator[](std::size_t index) const { return read(index); }
+};
+
+/// A run as figures need it: finished, killed, or still going on in a window.
 struct RecordedRun {
     std::string label;  ///< from its step: "Δt = 200 ns"
     std::shared_ptr<const RunSetup> setup;
     std::shared_ptr<const History> history;
     nlohmann::ordered_json summary;  ///< empty when the run did not finish
-    std::shared_ptr<const RunFile> file;
+    RunFrames frames;
     std::vector<Trace> traces;
 };
 /// @param overrides set before the recorded scene is read again: other titles, ranges, times of its figures.

@@ -76,9 +76,9 @@ std::vector<FigureSpec> all_figures(const RecordedRun& run) {
         }
         add(inferred_history(scene, "velocities", "mean velocity", "body", "velocity.", bodies));
     }
-    if (!declares(scene.figures, FigureKind::mesh) && run.file->frames() > 0) {
+    if (!declares(scene.figures, FigureKind::mesh) && run.frames.size() > 0) {
         FigureSpec mesh = inferred(FigureKind::mesh, "mesh", "Deformed mesh");
-        const double end = run.file->frame(run.file->frames() - 1)->time;
+        const double end = run.frames.times.back();
         mesh.times = {0, 0.5 * end, end};
         mesh.region = scene.view.window;
         add(std::move(mesh));
@@ -88,19 +88,19 @@ std::vector<FigureSpec> all_figures(const RecordedRun& run) {
         clamping.columns = pairs;
         add(std::move(clamping));
     }
-    if (!declares(scene.figures, FigureKind::energy) && run.file->frames() > 1 &&
-        !run.file->frame(0)->body_energies.empty())
+    if (!declares(scene.figures, FigureKind::energy) && run.frames.size() > 1 &&
+        !run.frames[0]->body_energies.empty())
         add(inferred(FigureKind::energy, "energy", "Where the energy went"));
     return figures;
 }
 
-std::shared_ptr<const Snapshot> frame_near(const RunFile& file, double time) {
-    if (file.frames() == 0) throw UsageError("the run has no complete frame");
-    const std::vector<double> times = file.frame_times();
+std::shared_ptr<const Snapshot> frame_near(const RunFrames& frames, double time) {
+    if (frames.size() == 0) throw UsageError("the run has no complete frame");
+    const std::vector<double>& times = frames.times;
     const auto nearest = std::min_element(times.begin(), times.end(), [&](double a, double b) {
         return std::abs(a - time) < std::abs(b - time);
     });
-    return file.frame(nearest - times.begin());
+    return frames[static_cast<std::size_t>(nearest - times.begin())];
 }
 
 std::string titled(const std::string& title, const std::string& unit) {

@@ -31,7 +31,7 @@ struct RunPage {
 [[nodiscard]] std::vector<FigureSpec> all_figures(const RecordedRun& run);
 
 /// The frame nearest to a time. @throws UsageError when the run has no frame.
-[[nodiscard]] std::shared_ptr<const Snapshot> frame_near(const RunFile& file, double time);
+[[nodiscard]] std::shared_ptr<const Snapshot> frame_near(const RunFrames& frames, double time);
 
 /// "title [unit]", or the title alone where there is no unit.
 [[nodiscard]] std::string titled(const std::string& title, const std::string& unit);

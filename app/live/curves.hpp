@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "live/min_max_pyramid.hpp"
 #include "run/history.hpp"
 #include "scene/scene.hpp"
-#include "live/min_max_pyramid.hpp"
 
 namespace percuss::app {
 
@@ -20,15 +20,16 @@ struct CurveInfo {
 };
 
 struct PlotInfo {
-    std::string name;   ///< of widgets: "forces.axial", "velocities.axial", "energies", "step", "probes.von_mises"
+    std::string
+        name;  ///< of widgets: "forces.axial", "velocities.axial", "energies", "step", "probes.von_mises"
     std::string title;  ///< "axial contact force on the master body"
     Quantity quantity = Quantity::dimensionless;
     std::vector<CurveInfo> curves;
     bool folded = false;  ///< when the plots are first drawn
 };
 
-/// The plots that a scene's histories give: contact forces and velocities by direction, energies, step, and those of
-/// probes, one a quantity.
+/// The plots that a scene's histories give: contact forces and velocities by direction, energies, step, and
+/// those of probes, one a quantity.
 [[nodiscard]] std::vector<PlotInfo> plots_of(const Scene& scene, const std::vector<HistoryColumn>& columns);
 
 /// Histories as plots read them, full rate; only new rows are copied, of the columns that are looked at.

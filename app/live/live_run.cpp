@@ -16,6 +16,12 @@ std::filesystem::file_time_type time_of(const std::filesystem::path& file) {
     return missing ? std::filesystem::file_time_type{} : time;
 }
 
+std::vector<std::string> together(std::vector<std::string> overrides,
+                                  const std::map<std::string, std::string>& settings) {
+    for (const auto& [key, value] : settings) overrides.push_back(key + "=" + value);
+    return overrides;
+}
+
 template <class T>
 bool ready(const std::future<T>& future) {
     return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -91,6 +97,8 @@ std::optional<std::string> LiveRun::setting(const std::string& key) const {
     return found->second;
 }
 
+std::vector<std::string> LiveRun::overrides() const { return together(overrides_, settings_); }
+
 void LiveRun::request(Request wanted) {
     if (building_)
         next_ = std::move(wanted);
@@ -113,9 +121,7 @@ LiveRun::Built LiveRun::build(const Request& wanted) const {
             built.recording = std::make_shared<Recording>(file, open_run_, options_.frame_memory);
             return built;
         }
-        std::vector<std::string> overrides = wanted.overrides;
-        for (const auto& [key, value] : wanted.settings) overrides.push_back(key + "=" + value);
-        Scene scene = load_scene(wanted.file, overrides);
+        Scene scene = load_scene(wanted.file, together(wanted.overrides, wanted.settings));
         built.warnings = scene.warnings;
         built.engine = std::make_unique<Engine>(std::move(scene), options_);
     } catch (const SceneError& error) {
@@ -224,6 +230,11 @@ void LiveRun::update_recording() {
     timeline_.present = snapshot_->time;
     timeline_.frame_bytes = recording_->bytes();
     for (std::string& message : recording_->take_messages()) messages_.push_back(std::move(message));
+}
+
+std::vector<Trace> LiveRun::traces() const {
+    if (recording_) return recording_->traces();
+    return engine_ ? engine_->traces() : std::vector<Trace>{};
 }
 
 bool LiveRun::file_changed() const {

@@ -42,6 +42,8 @@ class LiveRun {
     void set(const std::string& key, const std::string& value);
     void forget(const std::string& key);  ///< its value is that of the file again
     void forget_settings();               ///< all values as they are in the file
+    /// What the run shown has been given beside its file, "key=value" in the order in which it acts.
+    [[nodiscard]] std::vector<std::string> overrides() const;
     /// The value set for a key, if any.
     [[nodiscard]] std::optional<std::string> setting(const std::string& key) const;
 
@@ -104,6 +106,7 @@ class LiveRun {
     [[nodiscard]] std::shared_ptr<const Snapshot> frame_at(double time) const;
     /// The same of the present run, also after another one has replaced it.
     [[nodiscard]] std::function<std::shared_ptr<const Snapshot>(double time)> moments() const;
+    [[nodiscard]] std::vector<Trace> traces() const;  ///< what the scene's figures sample
     /// As of the last update(); of recorded runs all frames.
     [[nodiscard]] const Timeline& timeline() const { return timeline_; }
     [[nodiscard]] double speed() const { return speed_; }  ///< as RunProgress::speed

@@ -13,7 +13,11 @@ constexpr std::size_t most_wanted = 4;
 }  // namespace
 
 Recording::Recording(const std::filesystem::path& file, const OpenRun& open, std::size_t bound)
-    : source_(open(file)), times_(source_->frame_times()), history_(source_->history()), bound_(bound) {
+    : source_(open(file)),
+      times_(source_->frame_times()),
+      history_(source_->history()),
+      traces_(source_->traces()),
+      bound_(bound) {
     if (times_.empty()) throw std::runtime_error(file.string() + ": the run has no complete frame yet");
     keep(0, source_->frame(0));
     thread_ = std::thread([this] { serve(); });

@@ -14,6 +14,7 @@
 
 #include "run/history.hpp"
 #include "run/snapshot.hpp"
+#include "run/trace.hpp"
 
 namespace percuss::app {
 
@@ -28,6 +29,7 @@ class RunSource {
     [[nodiscard]] virtual std::vector<double> frame_times() = 0;  ///< ascending [time]
     [[nodiscard]] virtual std::shared_ptr<const Snapshot> frame(std::int64_t index) = 0;
     [[nodiscard]] virtual std::shared_ptr<const History> history() = 0;
+    [[nodiscard]] virtual std::vector<Trace> traces() = 0;  ///< what the scene's figures sampled
 };
 /// Opens run.h5. @throws std::exception naming file and reason.
 using OpenRun = std::function<std::unique_ptr<RunSource>(const std::filesystem::path&)>;
@@ -36,7 +38,7 @@ using OpenRun = std::function<std::unique_ptr<RunSource>(const std::filesystem::
 /// whoever shows them never waits for the disk. Those asked for last are kept, within a bound of memory.
 class Recording {
   public:
-    /// Reads what is needed for a first picture, and the histories: not for a thread that must not wait.
+    /// Reads what is needed for a first picture, histories and traces: not for a thread that must not wait.
     /// @param bound of the frames that are kept [bytes]; the one that was asked for last is kept in any case.
     /// @throws std::exception, for a run without a frame, too.
     Recording(const std::filesystem::path& file, const OpenRun& open, std::size_t bound);
@@ -46,6 +48,7 @@ class Recording {
 
     [[nodiscard]] const std::vector<double>& times() const { return times_; }  ///< of the frames [time]
     [[nodiscard]] const std::shared_ptr<const History>& history() const { return history_; }
+    [[nodiscard]] const std::vector<Trace>& traces() const { return traces_; }
     /// Index of the newest frame that is not later than `time`; 0 when all are [time].
     [[nodiscard]] std::int64_t index_at(double time) const;
     /// That frame; null while it is being read: ask again. A frame that is damaged gives the one before.
@@ -73,6 +76,7 @@ class Recording {
     std::unique_ptr<RunSource> source_;  // the thread's once that runs
     std::vector<double> times_;
     std::shared_ptr<const History> history_;
+    std::vector<Trace> traces_;
     std::size_t bound_;
 
     mutable std::mutex mutex_;  // never held while the disk is read

@@ -23,7 +23,8 @@ void Reference::follow(double shown) {
 
 std::optional<std::size_t> Reference::column(const std::string& name) const {
     const auto& columns = history->columns();
-    const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
+    const auto found =
+        std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
     if (found == columns.end()) return std::nullopt;
     return static_cast<std::size_t>(found - columns.begin());
 }
@@ -38,11 +39,13 @@ std::vector<PeakDifference> peak_differences(const std::vector<PlotInfo>& plots,
     const double until = std::min(present.times()[rows - 1], reference.curves.times()[reference_rows - 1]);
     const double late = until * (1 + 1e-9);
     for (const PlotInfo& plot : plots) {
-        if (plot.folded || (plot.quantity != Quantity::force && plot.quantity != Quantity::velocity)) continue;
+        if (plot.folded || (plot.quantity != Quantity::force && plot.quantity != Quantity::velocity))
+            continue;
         for (const CurveInfo& curve : plot.curves) {
             const auto other = reference.column(columns[curve.column].name);
             if (!other) continue;
-            found.push_back({curve.label, plot.quantity, peak(present.column(curve.column), present.row_at(late)),
+            found.push_back({curve.label, plot.quantity,
+                             peak(present.column(curve.column), present.row_at(late)),
                              peak(reference.curves.column(*other), reference.curves.row_at(late))});
         }
     }

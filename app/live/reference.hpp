@@ -11,7 +11,8 @@
 
 namespace percuss::app {
 
-/// A run to compare the present one with: as far as it got, which is further each frame while it is the present one.
+/// A run to compare the present one with: as far as it got, which is further each frame while it is the
+/// present one.
 struct Reference {
     std::shared_ptr<const History> history;
     /// Its newest kept moment that is not later than a time; null while that is read from the disk.
@@ -34,7 +35,7 @@ struct PeakDifference {
 };
 /// Of the curves of these plots that both runs have.
 [[nodiscard]] std::vector<PeakDifference> peak_differences(const std::vector<PlotInfo>& plots,
-                                                           const std::vector<HistoryColumn>& columns, Curves& present,
-                                                           Reference& reference);
+                                                           const std::vector<HistoryColumn>& columns,
+                                                           Curves& present, Reference& reference);
 
 }  // namespace percuss::app

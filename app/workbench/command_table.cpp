@@ -80,7 +80,8 @@ void frame_failure(Workbench& w) {
 }
 
 void zoom_text(Workbench& w, double factor) {
-    w.screen.set_scale(std::clamp(factor == 0 ? 1 : w.screen.scale() * factor, 0.75, 2.5));
+    w.layout.scale = std::clamp(factor == 0 ? 1 : w.screen.scale() * factor, 0.75, 2.5);
+    w.screen.set_scale(*w.layout.scale);
     w.viewport.dirty = true;
 }
 
@@ -131,6 +132,10 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
         {"scene.file-values", "Values of the file", "",
          "Takes back all values that were set in the design panel.",
          [](Workbench& w) { w.run.forget_settings(); }},
+        {"scene.save", "Save scene as", "Ctrl+S",
+         "Writes the scene with the values set here, comments and layout kept, to the file named in the "
+         "export panel.",
+         [](Workbench& w) { w.exports.save_scene(w); }},
         {"reference.toggle", "Keep as reference", "B",
          "Keeps this run to compare the next ones with: outline and curves beneath theirs, peaks in a table; "
          "again: drops it.",
@@ -156,10 +161,42 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
          toggle_option<&ViewOptions::mirror>, option_on<&ViewOptions::mirror>},
         {"plots.all", "Plots: all times", "A", "Takes back the zoom of the plots' time axis.",
          [](Workbench& w) { w.plots.time.reset(); }},
+        {"export.panel", "Export panel", "Ctrl+E",
+         "Opens the part of the panel on the left that writes files.",
+         [](Workbench& w) {
+             w.panels = true;
+             w.exports.settings.to_panel = 2;
+         }},
+        {"export.picture", "Picture", "",
+         "Writes what the viewport shows to NAME.png, larger by the factor in the export panel.",
+         [](Workbench& w) { w.exports.save_picture(w); }},
+        {"export.film", "Film", "", "Makes NAME.mp4 of the run so far, drawn as the viewport shows it.",
+         [](Workbench& w) { w.exports.begin_film(w, true); }},
+        {"export.sequence", "Sequence", "",
+         "The same as numbered pictures, NAME-frames/000000.png and so on.",
+         [](Workbench& w) { w.exports.begin_film(w, false); }},
+        {"export.figures", "Figures", "",
+         "Draws the scene's figures, and one of each kind that any run has, into NAME-figures/.",
+         [](Workbench& w) { w.exports.begin_figures(w); }},
+        {"export.cancel", "Cancel", "", "Ends the film or figures under way.",
+         [](Workbench& w) { w.exports.cancel(w); }},
+        {"export.record", "Record", "",
+         "Films what the viewport shows from now on to NAME-live.mp4; again: ends it. What does not change "
+         "takes no time in the film.",
+         [](Workbench& w) { w.exports.toggle_recording(w); },
+         [](const Workbench& w) { return w.exports.recording(); }},
+        {"export.plots-csv", "Plots as CSV", "",
+         "Writes the curves of each open plot, every step within the times shown, to NAME-PLOT.csv.",
+         [](Workbench& w) { w.exports.save_open_plots(w, PlotFormat::csv); }},
+        {"export.plots-png", "Plots as PNG", "", "Draws each open plot for print to NAME-PLOT.png.",
+         [](Workbench& w) { w.exports.save_open_plots(w, PlotFormat::png); }},
         {"panels.toggle", "Panels", "Tab", "Hides all panels but the picture, or shows them again.",
          [](Workbench& w) { w.panels = !w.panels; }, [](const Workbench& w) { return w.panels; }},
         {"window.dark", "Dark", "", "Light letters on dark panels; the picture stays on white.",
-         [](Workbench& w) { w.screen.set_dark(!w.screen.dark()); },
+         [](Workbench& w) {
+             w.layout.dark = !w.screen.dark();
+             w.screen.set_dark(*w.layout.dark);
+         },
          [](const Workbench& w) { return w.screen.dark(); }},
         {"window.larger", "Larger text", "Ctrl++", "Letters and widgets a quarter larger.",
          [](Workbench& w) { zoom_text(w, 1.25); }},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include <imgui.h>
@@ -51,7 +52,28 @@ void follow_run(Workbench& w) {
     if (w.reference) w.reference->follow(w.run.snapshot()->time);
 }
 
+/// Which sections of the panel on the left are open; only those are known that were ever clicked.
+void follow_sections(Workbench& w) {
+    ImGuiStorage& open = *ImGui::GetStateStorage();
+    if (w.frames == 0)
+        for (const auto& [id, on] : w.layout.sections) open.SetBool(id, on);
+    for (const auto& pair : open.Data) w.layout.sections[pair.key] = pair.val_i != 0;
+}
+
+void follow_scene(Workbench& w) {
+    if (!w.run.file().empty() && (w.layout.recent.empty() || w.opened != w.run.file())) {
+        w.opened = w.run.file();
+        w.layout.remember(w.opened);
+    }
+}
+
 }  // namespace
+
+void Workbench::use_layout(WindowLayout wanted) {
+    layout = std::move(wanted);
+    plots.toggled = layout.curves;
+    if (layout.dark) screen.set_dark(*layout.dark);
+}
 
 void Workbench::frame() {
     names.begin_frame();
@@ -59,6 +81,7 @@ void Workbench::frame() {
     watch_file(*this);
     if (std::chrono::steady_clock::now() > note_until_) note_.clear();
     follow_run(*this);
+    follow_scene(*this);
     obey_keys(*this);
 
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -71,30 +94,40 @@ void Workbench::frame() {
         show_menu(*this);
         show_run_bar(*this, {0, menu, display.x, bar});
         const float top = menu + bar, height = std::max(display.y - top, 1.0F);
-        const float left = std::min(21 * em, 0.3F * display.x), right = std::min(0.31F * display.x, 40 * em);
+        const float left = panel_width(layout.left, std::min(21 * em, 0.3F * display.x));
+        const float right = panel_width(layout.right, std::min(0.31F * display.x, 40 * em));
+        const float grip = std::round(0.4F * em);
         {
             const Panel panel("settings", {0, top, left, height});
+            follow_sections(*this);
             show_view_settings(*this);
             show_design(*this);
             show_reference(*this);
+            show_export(*this);
             show_time_spent(*this);
         }
         show_plots(*this, {display.x - right, top, right, height});
         const float strip = timeline_height(*this);
-        middle = {left, top, display.x - left - right, std::max(height - strip, 1.0F)};
-        show_timeline(*this, {left, top + middle.height, middle.width, strip});
+        show_splitter(*this, "splitter.left", {left, top, grip, height}, left, true, layout.left);
+        show_splitter(*this, "splitter.right", {display.x - right - grip, top, grip, height}, right, false,
+                      layout.right);
+        middle = {left + grip, top, std::max(display.x - left - right - 2 * grip, 1.0F),
+                  std::max(height - strip, 1.0F)};
+        show_timeline(*this, {middle.x, top + middle.height, middle.width, strip});
     }
     show_viewport(*this, middle);
     show_messages(*this, middle);
     show_scene_picker(*this);
     show_help(*this);
+    exports.advance(*this);
 
     ++frames;
 }
 
 bool Workbench::at_rest() const {
     return run.status() != RunStatus::running && !run.playing() && !run.reading() && !run.building() &&
-           !viewport.dirty && !run.branch_asked() && viewport.drawn == run.snapshot();
+           !exports.busy() && !(pick_scene && thumbnails.busy()) && !viewport.dirty && !run.branch_asked() &&
+           viewport.drawn == run.snapshot();
 }
 
 void Workbench::tell(std::string words) {

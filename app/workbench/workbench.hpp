@@ -16,6 +16,9 @@
 #include "ui/screen.hpp"
 #include "view/live_view.hpp"
 #include "view/pick.hpp"
+#include "workbench/export/exports.hpp"
+#include "workbench/layout.hpp"
+#include "workbench/thumbnails/thumbnails.hpp"
 #include "workbench/timeline_state.hpp"
 #include "workbench/widget_names.hpp"
 
@@ -41,6 +44,7 @@ struct ViewportState {
     std::filesystem::path file;  ///< of the scene whose view options these are
     unsigned texture = 0;
     std::shared_ptr<const Snapshot> drawn;
+    long long draws = 0;  ///< pictures of the model so far
     std::array<int, 2> drawn_size{0, 0};
     render::Picked hovered;
 };
@@ -74,6 +78,8 @@ class Workbench {
     [[nodiscard]] static std::vector<std::string> value_names();
 
     void open(const std::filesystem::path& file) { run.open(file); }
+    /// Arranges the window like this, before its first frame.
+    void use_layout(WindowLayout wanted);
     void do_command(const std::string& name);
     /// Shows a line for some seconds, e.g. where a screenshot went.
     void tell(std::string words);
@@ -83,6 +89,9 @@ class Workbench {
     render::Screen& screen;
     ViewportState viewport;
     PlotsState plots;
+    Exports exports;
+    WindowLayout layout;
+    Thumbnails thumbnails;               ///< of the scene picker
     std::optional<Reference> reference;  ///< the run that the present one is compared with
     Ghost ghost;                         ///< of the run before the design was changed
     TimelineState timeline;
@@ -92,6 +101,7 @@ class Workbench {
     int step_count = 100;
     double until = 0;  ///< of "run until" [time]
     bool quit = false;
+    std::filesystem::path opened;                     ///< scene that was remembered last
     std::optional<std::filesystem::path> screenshot;  ///< to be written after this frame
     long long frames = 0;
 

@@ -4,21 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "record/csv_cell.hpp"
 #include "record/run_file.hpp"
 
 namespace percuss {
-namespace {
-
-// Names come from scenes: a comma or quote in one must not shift the columns.
-std::string quoted(const std::string& cell) {
-    if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
-    std::string result = "\"";
-    for (const char c : cell) result.append(c == '"' ? 2 : 1, c);
-    return result + '"';
-}
-
-}  // namespace
-
 void write_history_csv(const std::filesystem::path& file, const History& history, const Units& units,
                        int every) {
     std::ofstream out(file, std::ios::binary);
@@ -26,7 +15,7 @@ void write_history_csv(const std::filesystem::path& file, const History& history
     for (const HistoryColumn& column : history.columns()) {
         const std::string label = units.label(column.quantity);
         const std::string header = label.empty() ? column.name : fmt::format("{} [{}]", column.name, label);
-        fmt::format_to(std::back_inserter(text), "{}{}", text.size() > 0 ? "," : "", quoted(header));
+        fmt::format_to(std::back_inserter(text), "{}{}", text.size() > 0 ? "," : "", csv_cell(header));
     }
     text.push_back('\n');
     const std::size_t rows = history.rows(), width = history.columns().size();

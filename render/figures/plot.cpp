@@ -100,8 +100,10 @@ Colour colour_of(const Curve& curve, std::size_t& drawn) {
 }  // namespace
 
 Colour curve_colour(std::size_t index) {
-    static constexpr std::array<Colour, 7> palette{0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
-                                                   0xe69f00, 0x56b4e9, 0x000000};
+    // Darker ones from the ninth on, as in the window's plots.
+    static constexpr std::array<Colour, 14> palette{0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00,
+                                                    0x56b4e9, 0x000000, 0xbeaf14, 0x00466e, 0x8c3c00,
+                                                    0x005f46, 0x824669, 0x966400, 0x326e91};
     return palette[index % palette.size()];
 }
 

@@ -117,7 +117,8 @@ void Screen::apply_style() {
         style.Colors[ImGuiCol_Button] = {0.83F, 0.87F, 0.915F, 1};
         style.Colors[ImGuiCol_Border] = {0.78F, 0.8F, 0.83F, 1};
     }
-    style.Colors[ImGuiCol_PopupBg].w = 1;
+    style.Colors[ImGuiCol_PopupBg].w = style.Colors[ImGuiCol_WindowBg].w =
+        1;  // what lies beneath would be read, too
     style.Colors[ImGuiCol_PlotHistogram] =
         dark_ ? ImVec4{0.2F, 0.45F, 0.7F, 1} : ImVec4{0.55F, 0.75F, 0.95F, 1};
     style.ScaleAllSizes(static_cast<float>(scale_));

@@ -47,7 +47,7 @@ struct LiveView::Impl {
     Impl& operator=(const Impl&) = delete;
 
     void apply(ViewOptions chosen, RangeMode wanted_mode);
-    unsigned draw(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size, double ink_scale);
+    void prepare(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size, double ink_scale);
     void colour();
 
     std::shared_ptr<const RunSetup> setup;
@@ -55,9 +55,9 @@ struct LiveView::Impl {
     RangeMode mode = RangeMode::frame;
     std::optional<LiveCamera> camera;
     vtkSmartPointer<RenderWindow> window;
-    vtkNew<vtkRenderer> ground, stage;  // walls and axis; mesh
-    vtkNew<CanvasItem> ground_ink;
-    vtkNew<vtkContextActor> ground_actor;
+    vtkNew<vtkRenderer> ground, stage, overlay;  // walls and axis; mesh; ink, in pictures to be kept
+    vtkNew<CanvasItem> ground_ink, overlay_ink;
+    vtkNew<vtkContextActor> ground_actor, overlay_actor;
     ColouredMesh mesh;                  // on the stage, which outlives it
     std::optional<ColourRange> widest;  // of all frames since the field was chosen
     double start_cell_size = 0;         // [length]
@@ -91,8 +91,8 @@ void LiveView::Impl::colour() {
     mesh.show(*now, values, range, options.edges, cell_size / scale);
 }
 
-unsigned LiveView::Impl::draw(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> wanted_size,
-                              double ink_scale) {
+void LiveView::Impl::prepare(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> wanted_size,
+                             double ink_scale) {
     now = std::move(snapshot);
     size = {std::max(wanted_size[0], 64), std::max(wanted_size[1], 64)};
     scale = ink_scale;
@@ -115,8 +115,6 @@ unsigned LiveView::Impl::draw(std::shared_ptr<const Snapshot> snapshot, std::arr
     aim(*stage, fit, model, size);
     colour();
     ground_actor->GetScene()->SetDirty(true);
-    window->Render();
-    return window->GetDisplayFramebuffer()->GetColorAttachmentAsTextureObject(0)->GetHandle();
 }
 
 LiveView::LiveView(Context& context, std::shared_ptr<const RunSetup> setup, ViewOptions options)
@@ -141,8 +139,33 @@ void LiveView::set_options(const ViewOptions& options, RangeMode mode) { impl_->
 void LiveView::set_camera(std::optional<LiveCamera> camera) { impl_->camera = camera; }
 
 unsigned LiveView::draw(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size, double scale) {
-    return impl_->draw(std::move(snapshot), size, scale);
+    impl_->prepare(std::move(snapshot), size, scale);
+    impl_->overlay->DrawOff();
+    RenderWindow& window = *impl_->window;
+    window.Render();
+    return window.GetDisplayFramebuffer()->GetColorAttachmentAsTextureObject(0)->GetHandle();
 }
+
+Image LiveView::picture(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size, double scale,
+                        const std::function<void(Canvas&)>& ink) {
+    Impl& view = *impl_;
+    if (!view.overlay_ink->painter) {  // the first picture
+        view.window->SetNumberOfLayers(3);
+        view.overlay->SetLayer(2);
+        view.overlay_actor->GetScene()->AddItem(view.overlay_ink);
+        view.overlay->AddActor(view.overlay_actor);
+        view.window->AddRenderer(view.overlay);
+    }
+    view.overlay_ink->painter = ink;
+    view.prepare(std::move(snapshot), size, scale);
+    view.overlay_actor->GetScene()->SetDirty(true);
+    view.overlay->DrawOn();
+    Image image = view.window->grab();
+    view.overlay_ink->painter = [](Canvas&) {};
+    return image;
+}
+
+void LiveView::take_scales(const LiveView& other) { impl_->mesh.extent = other.impl_->mesh.extent; }
 
 void LiveView::paint(Canvas& canvas) const {
     const Impl& view = *impl_;

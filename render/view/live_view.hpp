@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "canvas.hpp"
 #include "context/context.hpp"
+#include "image.hpp"
 #include "run/fields.hpp"
 #include "run/snapshot.hpp"
 #include "view/colour_range.hpp"
@@ -47,7 +49,15 @@ class LiveView {
     /// Arrows, labels, colour bar and scale bar of the last draw(), in its pixels.
     void paint(Canvas& canvas) const;
 
-    /// Of the last draw().
+    /// Mesh and ink in one picture, to be kept. @param ink paints over the mesh: paint(), and what else
+    /// belongs to it.
+    [[nodiscard]] Image picture(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size,
+                                double scale, const std::function<void(Canvas&)>& ink);
+    /// Takes over what grows while a run is shown: the box of all bodies and the scales of arrows, so that
+    /// both views draw alike. @param other of the same scene.
+    void take_scales(const LiveView& other);
+
+    /// Of the last draw() or picture().
     [[nodiscard]] const Fit& fit() const;
     [[nodiscard]] const Rect& model() const;  ///< where the model is shown [pixels]
     [[nodiscard]] ColourRange range() const;

@@ -31,6 +31,7 @@ void show_menu(Workbench& workbench) {
     menu(workbench, "Scene", {"scene.", "reference.", "quit"});
     menu(workbench, "Run", {"run.", "time."});
     menu(workbench, "View", {"view.", "plots."});
+    menu(workbench, "Export", {"export."});
     menu(workbench, "Window", {"panels.", "window."});
     menu(workbench, "Help", {"help"});
     std::string right = workbench.note();

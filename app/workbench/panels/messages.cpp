@@ -12,6 +12,8 @@ void show_messages(Workbench& w, const PanelArea& viewport) {
     const bool diverged = snapshot && snapshot->status == RunStatus::diverged;
     const bool refused = !lines.empty();
     if (diverged) lines.push_back(snapshot->message);
+    const bool unwritten = lines.empty() && !w.exports.faults().empty();
+    lines.insert(lines.end(), w.exports.faults().begin(), w.exports.faults().end());
     if (lines.empty()) return;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const float height =
@@ -26,19 +28,25 @@ void show_messages(Workbench& w, const PanelArea& viewport) {
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     w.names.place("messages", {low.x, low.y, low.x + size.x, low.y + size.y});
     ImGui::PushFont(w.screen.fonts().bold);
-    ImGui::TextUnformatted(!refused    ? "The run diverged; shown is the last sound step"
+    ImGui::TextUnformatted(unwritten   ? "This was not written"
+                           : !refused  ? "The run diverged; shown is the last sound step"
                            : !snapshot ? "This cannot be used"
                                        : "This cannot be used; what is shown is the scene before");
     ImGui::PopFont();
     ImGui::PushTextWrapPos(0);
     for (const std::string& text : lines) ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
-    if (refused) {
-        if (ImGui::Button("Dismiss")) w.run.dismiss_messages();
+    if (refused || !w.exports.faults().empty()) {
+        if (ImGui::Button("Dismiss")) {
+            w.run.dismiss_messages();
+            w.exports.dismiss_faults();
+        }
         w.names.name("messages.dismiss");
+    }
+    if (refused) {
         ImGui::SameLine();
         command_button(w, "scene.file-values");
-    } else {
+    } else if (diverged) {
         command_button(w, "run.reset");
         if (snapshot->failed_cell >= 0) {
             ImGui::SameLine();

@@ -27,6 +27,11 @@ class Panel {
 bool command_button(Workbench& workbench, const char* command, const char* label = "", float width = 0);
 /// The same as a check box.
 void command_box(Workbench& workbench, const char* command);
+/// Width of a panel at the window's side [pixels]: as the user has it, within what the window gives room for.
+[[nodiscard]] float panel_width(const std::optional<double>& chosen, float by_itself);
+/// The rim of a panel, which drags its width. @param present width of that panel [pixels].
+void show_splitter(Workbench& workbench, const char* name, const PanelArea& area, float present,
+                   bool grows_rightwards, std::optional<double>& chosen);
 /// What the last widget is about, shown when the mouse rests on it.
 void tooltip(const std::string& text);
 
@@ -43,6 +48,7 @@ void show_timeline(Workbench& workbench, const PanelArea& area);
 void show_view_settings(Workbench& workbench);  ///< within the panel on the left
 void show_design(Workbench& workbench);         ///< likewise
 void show_reference(Workbench& workbench);      ///< likewise
+void show_export(Workbench& workbench);         ///< likewise
 void show_time_spent(Workbench& workbench);     ///< likewise
 void show_plots(Workbench& workbench, const PanelArea& area);
 void show_messages(Workbench& workbench, const PanelArea& viewport);

@@ -8,6 +8,7 @@
 
 #include "figures/ticks.hpp"
 #include "workbench/panels/panel.hpp"
+#include "workbench/shown_curves.hpp"
 
 namespace percuss::app {
 namespace {
@@ -21,10 +22,6 @@ constexpr std::array<ImU32, 14> palette{
     IM_COL32(150, 100, 0, 255),   IM_COL32(50, 110, 145, 255)};
 
 constexpr ImU32 shown_moment_colour = IM_COL32(224, 32, 32, 255);
-
-bool shown(const PlotsState& state, const PlotInfo& plot, const CurveInfo& curve) {
-    return curve.shown != state.toggled.contains(plot.name + "/" + curve.label);
-}
 
 void flip(std::set<std::string>& names, const std::string& name) {
     if (names.erase(name) == 0) names.insert(name);
@@ -42,7 +39,8 @@ void show_legend(Workbench& w, const PlotInfo& plot) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = ImGui::GetTextLineHeight();
         const std::string id = fmt::format("{}/{}", plot.name, curve.label);
-        if (ImGui::InvisibleButton(id.c_str(), {width, height})) flip(state.toggled, id);
+        if (ImGui::InvisibleButton(id.c_str(), {width, height}))
+            flip(state.toggled, id), w.layout.curves = state.toggled;
         w.names.name("plots." + id);
         x = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
         const bool on = shown(state, plot, curve);
@@ -72,22 +70,6 @@ struct Axes {
     }
     [[nodiscard]] double time(float at) const { return from + (to - from) * (at - low.x) / (high.x - low.x); }
 };
-
-/// The reference's column for a curve, unless the reference is the present run itself.
-std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo& curve) {
-    if (!w.reference || w.reference->history == w.run.history()) return std::nullopt;
-    return w.reference->column(w.plots.columns[curve.column].name);
-}
-
-std::array<double, 2> shown_times(const Workbench& w) {
-    if (w.plots.time) return *w.plots.time;
-    const Curves& curves = w.plots.curves;
-    const double duration = w.run.snapshot()->setup->scene.duration;
-    double last = curves.rows() > 0 ? curves.times()[curves.rows() - 1] : 0;
-    if (w.reference && w.reference->curves.rows() > 0)
-        last = std::max(last, w.reference->curves.times()[w.reference->curves.rows() - 1]);
-    return {0, std::max(last, 0.02 * duration)};
-}
 
 /// Least and greatest of what is shown, with a little room; zero is kept in sight when it is near.
 std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std::array<double, 2>& times) {
@@ -212,6 +194,24 @@ void navigate(Workbench& w, const PlotInfo& plot, const Axes& axes) {
     if (!ImGui::IsItemActive()) tell_values(w, plot, *w.plots.cursor);
 }
 
+/// What can be done with a plot, at the right end of its title.
+void show_plot_menu(Workbench& w, const PlotInfo& plot) {
+    const std::string id = plot.name + ".menu", name = "plots." + id;
+    ImGui::SameLine();
+    if (ImGui::SmallButton(fmt::format("\u2026##{}", id).c_str())) ImGui::OpenPopup(id.c_str());
+    w.names.name(name);
+    tooltip("Writes this plot to a file.");
+    if (!ImGui::BeginPopup(id.c_str())) return;
+    const auto item = [&](const char* label, const char* end, PlotFormat format, const char* help) {
+        if (ImGui::MenuItem(label)) w.exports.save_plot(w, plot, format);
+        w.names.name(name + end);
+        tooltip(help);
+    };
+    item("Curves as CSV", ".csv", PlotFormat::csv, "The visible curves, every step within the times shown.");
+    item("Picture as PNG", ".png", PlotFormat::png, "The visible curves within the times shown, for print.");
+    ImGui::EndPopup();
+}
+
 void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::array<double, 2>& times,
                bool last, std::optional<double> cursor) {
     const float em = ImGui::GetFontSize();
@@ -222,11 +222,14 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     const std::string title =
         unit.label.empty() ? plot.title : fmt::format("{} [{}]", plot.title, unit.label);
     ImGui::PushFont(w.screen.fonts().bold);
-    if (ImGui::Selectable(fmt::format("{} {}##{}", open ? "\u2013" : "+", title, plot.name).c_str()))
-        flip(w.plots.folded, plot.name);
+    const float room = open ? ImGui::GetContentRegionAvail().x - 2 * em : 0;
+    if (ImGui::Selectable(fmt::format("{} {}##{}", open ? "\u2013" : "+", title, plot.name).c_str(), false, 0,
+                          {room, 0}))
+        flip(w.plots.folded, plot.name), w.layout.plots[plot.name] = !open;
     ImGui::PopFont();
     w.names.name("plots." + plot.name + ".title");
     if (!open) return;
+    show_plot_menu(w, plot);
     const float top = ImGui::GetCursorPosY();
     show_legend(w, plot);
     const float used = ImGui::GetCursorPosY() - top;
@@ -286,6 +289,9 @@ void show_plots(Workbench& w, const PanelArea& area) {
         const bool low = area.height < 52 * ImGui::GetFontSize();
         for (const PlotInfo& plot : state.plots)
             if (plot.folded || (low && plot.name == "step")) state.folded.insert(plot.name);
+        for (const auto& [name, opened] : w.layout.plots)  // as the user had them
+            opened ? static_cast<void>(state.folded.erase(name))
+                   : static_cast<void>(state.folded.insert(name));
     }
     const std::optional<double> cursor = std::exchange(state.cursor, std::nullopt);
     const auto open = [&](const PlotInfo& plot) { return !state.folded.contains(plot.name); };

@@ -7,14 +7,11 @@
 #include "image.hpp"
 #include "ui/draw_list_canvas.hpp"
 #include "view/bodies.hpp"
-#include "view/outline.hpp"
 #include "workbench/panels/panel.hpp"
+#include "workbench/viewport_ink.hpp"
 
 namespace percuss::app {
 namespace {
-
-constexpr render::Colour reference_colour = 0x3aa0ff,  // told from arrows and from viridis
-    ghost_colour = 0x9aa0a8, failure_colour = 0xe02020;
 
 /// A run was opened, built anew or changed: the picture goes on with its setup.
 void follow_setup(Workbench& w) {
@@ -62,6 +59,7 @@ void draw_model(Workbench& w, std::array<int, 2> size) {
         v.texture = v.view->draw(snapshot, size, w.screen.scale());
     }
     v.drawn = snapshot;
+    ++v.draws;
     v.drawn_size = size;
     v.dirty = false;
 }
@@ -149,65 +147,6 @@ void show_values(const Workbench& w) {
     ImGui::EndTooltip();
 }
 
-void write_time(const Workbench& w, ImDrawList& ink, const PanelArea& area) {
-    const Snapshot& now = *w.viewport.drawn;
-    const Scene& scene = now.setup->scene;
-    const DisplayUnit unit = scene.units.display(Quantity::time, scene.duration);
-    const double largest = unit.scale * scene.duration;
-    const int decimals =
-        largest > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6) : 1;
-    const std::string time = fmt::format("t = {:.{}f} {}", unit.scale * now.time, decimals, unit.label);
-    ImFont* font = w.screen.fonts().bold;
-    const float pad = 0.7F * font->FontSize;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, time.c_str());
-    ink.AddText(font, font->FontSize, {area.x + area.width - size.x - pad, area.y + pad},
-                IM_COL32(31, 38, 48, 255), time.c_str());
-}
-
-/// Whose outlines they are, and when.
-void write_outlines(const Workbench& w, ImDrawList& ink, const PanelArea& area) {
-    const Units& units = w.run.snapshot()->setup->scene.units;
-    const float em = ImGui::GetFontSize();
-    float y = area.y + 0.7F * em;
-    const auto line = [&](const std::string& words, render::Colour colour) {
-        const float middle = y + 0.5F * em;
-        ink.AddLine({area.x + 0.8F * em, middle}, {area.x + 2.2F * em, middle},
-                    IM_COL32(colour >> 16 & 255U, colour >> 8 & 255U, colour & 255U, 255),
-                    static_cast<float>(2 * w.screen.scale()));
-        ink.AddText({area.x + 2.7F * em, y}, IM_COL32(31, 38, 48, 255), words.c_str());
-        y += 1.3F * em;
-    };
-    if (w.reference && w.reference->history != w.run.history() && w.reference->moment) {
-        const double time = w.reference->moment->time;
-        const bool ended =
-            time < w.viewport.drawn->time && w.reference->curves.rows() > 0 &&
-            w.reference->curves.times()[w.reference->curves.rows() - 1] < w.viewport.drawn->time;
-        line(ended ? fmt::format("reference, ended at {}", quantity_text(units, Quantity::time, time))
-                   : "reference",
-             reference_colour);
-    }
-    if (w.ghost.moment)
-        line(fmt::format("design before, at {}", quantity_text(units, Quantity::time, w.ghost.moment->time)),
-             ghost_colour);
-}
-
-/// The element that a diverged run's message names.
-void mark_failure(const ViewportState& v, render::Canvas& canvas, double scale) {
-    const Snapshot& now = *v.drawn;
-    if (now.status != RunStatus::diverged || now.failed_cell < 0) return;
-    std::vector<std::array<double, 2>> corners;
-    for (const std::int32_t node : now.setup->mesh.cells[static_cast<std::size_t>(now.failed_cell)]) {
-        if (node < 0) continue;
-        const auto at = 2 * static_cast<std::size_t>(node);
-        corners.push_back(v.view->fit()(v.view->plane()(now.position[at], now.position[at + 1])));
-    }
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto& a = corners[i];
-        const auto& b = corners[(i + 1) % corners.size()];
-        canvas.line(a[0], a[1], b[0], b[1], failure_colour, 3 * scale);
-    }
-}
-
 }  // namespace
 
 void show_viewport(Workbench& w, const PanelArea& area) {
@@ -234,17 +173,9 @@ void show_viewport(Workbench& w, const PanelArea& area) {
                  {1, 0});
     ink.PushClipRect(low, high, true);
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
-    const auto outline = [&](const Snapshot& moment, render::Colour colour, double width) {
-        render::paint_outline(canvas, moment, v.view->plane(), v.view->fit(), v.view->model(), colour,
-                              width * w.screen.scale());
-    };
-    if (w.ghost.moment) outline(*w.ghost.moment, ghost_colour, 1.2);
-    if (w.reference && w.reference->history != w.run.history() && w.reference->moment)
-        outline(*w.reference->moment, reference_colour, 1.5);
-    mark_failure(v, canvas, w.screen.scale());
+    paint_beneath(w, *v.view, v.drawn, w.screen.scale(), canvas);
     v.view->paint(canvas);
-    write_time(w, ink, area);
-    write_outlines(w, ink, area);
+    paint_above(w, *v.view, v.drawn, w.screen.scale(), canvas);
     ink.PopClipRect();
     ImGui::SetCursorScreenPos(low);
     ImGui::InvisibleButton("viewport", {area.width, area.height});

@@ -53,6 +53,7 @@ class SlowSource final : public RunSource {
         disk_.read.push_back(index);
         return std::make_shared<Snapshot>(test::sample_snapshot(setup_, static_cast<int>(index)));
     }
+    std::vector<Trace> traces() override { return {}; }
     std::shared_ptr<const History> history() override {
         return std::make_shared<History>(test::sample_columns());
     }

@@ -49,6 +49,7 @@ class TravelTest : public test::ProgramTest {
         std::shared_ptr<const Snapshot> frame(std::int64_t index) override {
             return std::make_shared<Snapshot>(test::sample_snapshot(setup_, static_cast<int>(index)));
         }
+        std::vector<Trace> traces() override { return {}; }
         std::shared_ptr<const History> history() override {
             auto history = std::make_shared<History>(test::sample_columns());
             test::append_sample_rows(*history, 20);

@@ -1,3 +1,5 @@
+#include "app/workbench/window_fixture.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <set>

@@ -1,0 +1,134 @@
+#include "workbench/export/plot_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "output.hpp"
+#include "record/csv_cell.hpp"
+#include "workbench/shown_curves.hpp"
+
+namespace percuss::app {
+namespace {
+
+PlotRun rows_within(const Curves& curves, std::shared_ptr<const History> history,
+                    const std::array<double, 2>& times) {
+    const std::size_t begin = curves.row_at(times[0]);
+    std::size_t end = curves.row_at(times[1]);
+    if (end < curves.rows() && curves.times()[end] <= times[1]) ++end;
+    return {std::move(history), "", begin, std::max(begin, end), {}, {}};
+}
+
+std::string heading(const Units& units, const HistoryColumn& column, const std::string& prefix) {
+    const std::string label = units.label(column.quantity);
+    return csv_cell(prefix + (label.empty() ? column.name : fmt::format("{} [{}]", column.name, label)));
+}
+
+}  // namespace
+
+PlotContents contents_of(const Workbench& w, const PlotInfo& plot) {
+    const Scene& scene = w.run.snapshot()->setup->scene;
+    PlotContents contents{plot, scene.units, scene.duration, shown_times(w), {}};
+    PlotRun present = rows_within(w.plots.curves, w.run.history(), contents.times), reference;
+    if (w.reference) reference = rows_within(w.reference->curves, w.reference->history, contents.times);
+    reference.prefix = "reference ";
+    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+        const CurveInfo& curve = plot.curves[i];
+        if (!shown(w.plots, plot, curve)) continue;
+        present.columns.push_back(curve.column);
+        present.places.push_back(i);
+        const auto column = reference_column(w, curve);
+        if (!column) continue;
+        reference.columns.push_back(*column);
+        reference.places.push_back(i);
+    }
+    contents.runs.push_back(std::move(present));
+    if (!reference.columns.empty()) contents.runs.push_back(std::move(reference));
+    return contents;
+}
+
+void write_plot_csv(const std::filesystem::path& file, const PlotContents& contents) {
+    write_whole(file, [&](const std::filesystem::path& aside) {
+        std::ofstream out(aside, std::ios::binary);
+        fmt::memory_buffer text;
+        const char* comma = "";
+        std::size_t rows = 0;
+        for (const PlotRun& run : contents.runs) {
+            rows = std::max(rows, run.end - run.begin);
+            const auto& columns = run.history->columns();
+            const auto head = [&](std::size_t column) {
+                fmt::format_to(std::back_inserter(text), "{}{}", comma,
+                               heading(contents.units, columns[column], run.prefix));
+                comma = ",";
+            };
+            head(0);
+            for (const std::size_t column : run.columns) head(column);
+        }
+        text.push_back('\n');
+        for (std::size_t i = 0; i < rows; ++i) {
+            for (const PlotRun& run : contents.runs) {
+                if (&run != contents.runs.data()) text.push_back(',');
+                const std::size_t row = run.begin + i;
+                if (row >= run.end) {  // the other run has more rows
+                    for (std::size_t k = 0; k < run.columns.size(); ++k) text.push_back(',');
+                    continue;
+                }
+                const std::vector<double> values = run.history->table(row, row + 1);
+                fmt::format_to(std::back_inserter(text), "{:.17g}", values[0]);
+                for (const std::size_t column : run.columns)
+                    fmt::format_to(std::back_inserter(text), ",{:.17g}", values[column]);
+            }
+            text.push_back('\n');
+            if (text.size() > 1 << 20) {
+                out.write(text.data(), static_cast<std::streamsize>(text.size()));
+                text.clear();
+            }
+        }
+        out.write(text.data(), static_cast<std::streamsize>(text.size()));
+        out.close();
+        if (!out) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+    });
+}
+
+render::Figure figure_of(const PlotContents& contents, const std::string& title) {
+    const DisplayUnit time = contents.units.display(Quantity::time, contents.duration);
+    std::vector<render::Curve> curves;
+    double largest = 0;
+    for (std::size_t r = 0; r < contents.runs.size(); ++r) {
+        const PlotRun& run = contents.runs[r];
+        std::vector<double> times = run.history->values(0, run.begin, run.end);
+        for (double& t : times) t *= time.scale;
+        for (std::size_t k = 0; k < run.columns.size(); ++k) {
+            render::Curve curve;
+            if (r == 0) curve.label = contents.plot.curves[run.places[k]].label;
+            curve.x = times;
+            curve.y = run.history->values(run.columns[k], run.begin, run.end);
+            curve.dashed = r > 0;
+            curve.colour = run.places[k];
+            for (const double value : curve.y)
+                if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+            curves.push_back(std::move(curve));
+        }
+    }
+    const DisplayUnit unit = contents.units.display(contents.plot.quantity, largest);
+    for (render::Curve& curve : curves)
+        for (double& value : curve.y) value *= unit.scale;
+    render::Chart chart;
+    const auto titled = [](const std::string& name, const DisplayUnit& of) {
+        return of.label.empty() ? name : fmt::format("{} [{}]", name, of.label);
+    };
+    if (contents.runs.size() > 1) chart.title = "dashed: the reference";
+    chart.x_title = titled("time", time);
+    chart.y_title = titled(contents.plot.title, unit);
+    chart.x_range = {time.scale * contents.times[0], time.scale * contents.times[1]};
+    chart.curves = std::move(curves);
+    render::Figure figure;
+    figure.title = title;
+    figure.charts.push_back(std::move(chart));
+    return figure;
+}
+
+}  // namespace percuss::app

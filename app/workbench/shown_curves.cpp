@@ -1,0 +1,26 @@
+#include "workbench/shown_curves.hpp"
+
+#include <algorithm>
+
+namespace percuss::app {
+
+bool shown(const PlotsState& state, const PlotInfo& plot, const CurveInfo& curve) {
+    return curve.shown != state.toggled.contains(plot.name + "/" + curve.label);
+}
+
+std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo& curve) {
+    if (!w.reference || w.reference->history == w.run.history()) return std::nullopt;
+    return w.reference->column(w.plots.columns[curve.column].name);
+}
+
+std::array<double, 2> shown_times(const Workbench& w) {
+    if (w.plots.time) return *w.plots.time;
+    const Curves& curves = w.plots.curves;
+    const double duration = w.run.snapshot()->setup->scene.duration;
+    double last = curves.rows() > 0 ? curves.times()[curves.rows() - 1] : 0;
+    if (w.reference && w.reference->curves.rows() > 0)
+        last = std::max(last, w.reference->curves.times()[w.reference->curves.rows() - 1]);
+    return {0, std::max(last, 0.02 * duration)};
+}
+
+}  // namespace percuss::app

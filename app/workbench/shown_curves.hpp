@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "workbench/workbench.hpp"
+
+namespace percuss::app {
+
+// What the plots show, for the screen and for files alike.
+
+[[nodiscard]] bool shown(const PlotsState& state, const PlotInfo& plot, const CurveInfo& curve);
+/// The reference's column for a curve, unless the reference is the present run itself.
+[[nodiscard]] std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo& curve);
+/// From, to: as zoomed, else all that the runs have [time].
+[[nodiscard]] std::array<double, 2> shown_times(const Workbench& w);
+
+}  // namespace percuss::app

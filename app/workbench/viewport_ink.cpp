@@ -1,0 +1,105 @@
+#include "workbench/viewport_ink.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "view/outline.hpp"
+#include "workbench/panels/panel.hpp"
+
+namespace percuss::app {
+namespace {
+
+constexpr render::Colour reference_colour = 0x3aa0ff,  // told from arrows and from viridis
+    ghost_colour = 0x9aa0a8, failure_colour = 0xe02020;
+
+/// Null when there is no reference beside this moment.
+std::shared_ptr<const Snapshot> reference_at(const Workbench& w,
+                                             const std::shared_ptr<const Snapshot>& shown) {
+    if (!w.reference || w.reference->history == w.run.history()) return nullptr;
+    const bool on_screen = shown == w.run.snapshot();
+    const auto moment = on_screen ? w.reference->moment : w.reference->moments(shown->time);
+    return moment ? moment : w.reference->moment;
+}
+
+/// The ghost is for whoever waits for a new design, not for films.
+std::shared_ptr<const Snapshot> ghost_at(const Workbench& w, const std::shared_ptr<const Snapshot>& shown) {
+    return shown == w.run.snapshot() ? w.ghost.moment : nullptr;
+}
+
+/// The element that a diverged run's message names.
+void mark_failure(const render::LiveView& view, const Snapshot& shown, double scale, render::Canvas& canvas) {
+    if (shown.status != RunStatus::diverged || shown.failed_cell < 0) return;
+    std::vector<std::array<double, 2>> corners;
+    for (const std::int32_t node : shown.setup->mesh.cells[static_cast<std::size_t>(shown.failed_cell)]) {
+        if (node < 0) continue;
+        const auto at = 2 * static_cast<std::size_t>(node);
+        corners.push_back(view.fit()(view.plane()(shown.position[at], shown.position[at + 1])));
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto& a = corners[i];
+        const auto& b = corners[(i + 1) % corners.size()];
+        canvas.line(a[0], a[1], b[0], b[1], failure_colour, 3 * scale);
+    }
+}
+
+/// Whose outlines they are, and when.
+void write_outlines(const Workbench& w, const render::LiveView& view,
+                    const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas) {
+    const Units& units = shown->setup->scene.units;
+    const double left = view.model().x + 12 * scale;
+    double y = view.model().top() - 18 * scale;
+    const auto line = [&](const std::string& words, render::Colour colour) {
+        canvas.line(left, y, left + 21 * scale, y, colour, 2 * scale);
+        canvas.text(
+            left + 28 * scale, y, words,
+            {13 * scale, render::ink::text, render::Align::left, render::VerticalAlign::centre, false});
+        y -= 20 * scale;
+    };
+    if (const auto moment = reference_at(w, shown)) {
+        const Curves& curves = w.reference->curves;
+        const bool ended = moment->time < shown->time && curves.rows() > 0 &&
+                           curves.times()[curves.rows() - 1] < shown->time;
+        line(ended ? fmt::format("reference, ended at {}", quantity_text(units, Quantity::time, moment->time))
+                   : "reference",
+             reference_colour);
+    }
+    if (const auto moment = ghost_at(w, shown))
+        line(fmt::format("design before, at {}", quantity_text(units, Quantity::time, moment->time)),
+             ghost_colour);
+}
+
+void write_time(const render::LiveView& view, const Snapshot& shown, double scale, render::Canvas& canvas) {
+    const Scene& scene = shown.setup->scene;
+    const DisplayUnit unit = scene.units.display(Quantity::time, scene.duration);
+    const double largest = unit.scale * scene.duration;
+    const int decimals =
+        largest > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6) : 1;
+    const std::string time = fmt::format("t = {:.{}f} {}", unit.scale * shown.time, decimals, unit.label);
+    const double pad = 10.5 * scale;
+    canvas.text(view.model().right() - pad, view.model().top() - pad, time,
+                {15 * scale, render::ink::text, render::Align::right, render::VerticalAlign::top, true});
+}
+
+}  // namespace
+
+void paint_beneath(const Workbench& w, const render::LiveView& view,
+                   const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas) {
+    const auto outline = [&](const Snapshot& moment, render::Colour colour, double width) {
+        render::paint_outline(canvas, moment, view.plane(), view.fit(), view.model(), colour, width * scale);
+    };
+    if (const auto moment = ghost_at(w, shown)) outline(*moment, ghost_colour, 1.2);
+    if (const auto moment = reference_at(w, shown)) outline(*moment, reference_colour, 1.5);
+    mark_failure(view, *shown, scale, canvas);
+}
+
+void paint_above(const Workbench& w, const render::LiveView& view,
+                 const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas) {
+    write_time(view, *shown, scale, canvas);
+    write_outlines(w, view, shown, scale, canvas);
+}
+
+}  // namespace percuss::app
