@@ -87,8 +87,10 @@ void Exports::tell_written(Workbench& w, const std::string& file) {
 
 void Exports::save_scene(Workbench& w) {
     if (!w.run.snapshot()) return;
-    std::vector<std::string> overrides = w.run.overrides();
     const Scene& scene = w.run.snapshot()->setup->scene;
+    // What the run was built with, then what was set since: it acts in flight and stands in no set-up.
+    std::vector<std::string> overrides = scene.overrides;
+    for (std::string& later : w.run.overrides()) overrides.push_back(std::move(later));
     if (settings.with_view) append_view(scene, w.viewport, overrides);
     fs::path file = settings.scene;
     if (file.extension() != ".toml") file += ".toml";
