@@ -225,14 +225,11 @@ widgets
 click run.speed
 type 5
 key Enter
-frames 2
-screenshot before.png
 set parameters.speed 4
 wait builds = 2
 expect ghost = 1
 expect ghost.time >= 0.02
 wait time > 0.001
-screenshot ghost.png
 set parameters.speed 3      # a run that got nowhere leaves the ghost as it was
 wait builds = 3
 expect ghost.time >= 0.02
@@ -245,8 +242,16 @@ key Enter
 set parameters.speed 1
 wait builds = 4
 expect ghost = 1
+wait status = running
+do run.toggle
+wait status = paused
+frames 2
+screenshot ghost.png
 do view.drop-ghost
 expect ghost = 0
+frames 2
+screenshot dropped.png
+do run.toggle
 set parameters.speed 2
 wait builds = 5
 wait time > 0
@@ -254,7 +259,7 @@ open other.toml             # not a design of the same scene
 wait builds = 6
 expect ghost = 0
 )");
-    EXPECT_GT(count("ghost.png", "viewport", ghost), count("before.png", "viewport", ghost) + 200);
+    EXPECT_GT(count("ghost.png", "viewport", ghost), count("dropped.png", "viewport", ghost) + 200);
 }
 
 TEST_F(WindowTest, OneClickFramesTheElementThatFailed) {
