@@ -100,6 +100,9 @@ int view(const ViewCommand& command) {
         if (!screen->begin_frame(input)) break;
         workbench.frame();
         screen->end_frame(workbench.screenshot.has_value());
+        workbench.timing.count(
+            workbench.run, began, Clock::now(),
+            workbench.viewport.drawn && workbench.viewport.drawn == workbench.run.snapshot());
         write_screenshot(workbench, *screen);
         rest(*screen, workbench, began, player.has_value());
     }

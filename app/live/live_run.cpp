@@ -27,22 +27,24 @@ LiveRun::~LiveRun() {
     if (building_) building_->wait();
 }
 
-LiveRun::Request LiveRun::present() const {
-    Request same = next_ ? *next_ : building_ ? being_built_ : Request{file_, overrides_, settings_, false};
+LiveRun::Request LiveRun::present(bool anew) const {
+    Request same = next_ ? *next_ : building_ ? being_built_ : Request{file_, overrides_, settings_};
+    same.anew = anew || (next_ && next_->anew);
+    same.asked = std::chrono::steady_clock::now();
     // What has begun goes on with the new design; a run that waits at its beginning waits on.
-    if (snapshot_ && snapshot_->step > 0) same.start = true;
+    if (begun_ || (snapshot_ && snapshot_->step > 0)) same.start = true;
     return same;
 }
 
 void LiveRun::open(std::filesystem::path file, const std::vector<std::string>& overrides) {
-    request({std::move(file), overrides, {}, false});
+    request({std::move(file), overrides});
 }
 
 void LiveRun::reload() {
     if (refused_ && !building_)
         request(Request(being_built_));
     else
-        request(present());
+        request(present(true));
 }
 
 void LiveRun::dismiss_messages() {
@@ -56,19 +58,19 @@ void LiveRun::set(const std::string& key, const std::string& value) {
         settings_[key] = value;
         return;
     }
-    Request wanted = present();
+    Request wanted = present(false);
     wanted.settings[key] = value;
     request(std::move(wanted));
 }
 
 void LiveRun::forget(const std::string& key) {
-    Request wanted = present();
+    Request wanted = present(false);
     wanted.settings.erase(key);
     request(std::move(wanted));
 }
 
 void LiveRun::forget_settings() {
-    Request wanted = present();
+    Request wanted = present(false);
     wanted.settings.clear();
     request(std::move(wanted));
 }
@@ -78,6 +80,12 @@ std::optional<std::string> LiveRun::setting(const std::string& key) const {
     const auto found = newest.find(key);
     if (found == newest.end()) return std::nullopt;
     return found->second;
+}
+
+const DesignValue* LiveRun::design_value(const std::string& key) const {
+    const auto found = std::find_if(design_.begin(), design_.end(),
+                                    [&](const DesignValue& value) { return value.key == key; });
+    return found == design_.end() ? nullptr : &*found;
 }
 
 void LiveRun::request(Request wanted) {
@@ -90,17 +98,24 @@ void LiveRun::request(Request wanted) {
 void LiveRun::begin(Request wanted) {
     being_built_ = std::move(wanted);
     tried_at_ = time_of(being_built_.file);
-    building_ = std::async(std::launch::async, [this, request = being_built_] { return build(request); });
+    const bool same = engine_ && being_built_.file == file_ && !being_built_.anew;
+    building_ =
+        std::async(std::launch::async, [this, request = being_built_, scene = same ? scene_ : nullptr] {
+            return build(request, scene.get());
+        });
 }
 
-LiveRun::Built LiveRun::build(const Request& wanted) const {
+LiveRun::Built LiveRun::build(const Request& wanted, const Scene* present) const {
     Built built;
     try {
         std::vector<std::string> overrides = wanted.overrides;
         for (const auto& [key, value] : wanted.settings) overrides.push_back(key + "=" + value);
         Scene scene = load_scene(wanted.file, overrides);
         built.warnings = scene.warnings;
-        built.engine = std::make_unique<Engine>(std::move(scene), options_);
+        if (!present || effect_of_change(*present, scene) == ChangeEffect::rebuild)
+            built.engine = std::make_unique<Engine>(scene, options_);
+        built.design = design_values(scene);
+        built.scene = std::make_shared<const Scene>(std::move(scene));
     } catch (const SceneError& error) {
         built.messages = error.messages();
     } catch (const std::exception& error) {
@@ -111,16 +126,25 @@ LiveRun::Built LiveRun::build(const Request& wanted) const {
 
 void LiveRun::take_over(Built built) {
     messages_ = std::move(built.messages);
-    refused_ = built.engine == nullptr;
+    refused_ = built.scene == nullptr;
     if (refused_) return;
     read_at_ = tried_at_;
-    retire(std::exchange(engine_, std::move(built.engine)));
-    ++builds_;
+    scene_ = std::move(built.scene);
+    design_ = std::move(built.design);
+    const bool goes_on = built.engine == nullptr;
+    if (goes_on) {
+        engine_->post(command::Change{scene_});
+    } else {
+        retire(std::exchange(engine_, std::move(built.engine)));
+        ++builds_;
+        built_for_ = being_built_.asked;
+        begun_ = being_built_.start;
+    }
     warnings_ = std::move(built.warnings);
     file_ = being_built_.file;
     overrides_ = being_built_.overrides;
     settings_ = being_built_.settings;
-    if (being_built_.start) engine_->post(command::Run{});
+    if (being_built_.start && !goes_on) engine_->post(command::Run{});
 }
 
 /// An engine ends its present step before it is gone: that is waited for elsewhere.
@@ -135,10 +159,12 @@ void LiveRun::run(std::optional<double> until) {
     if (!engine_) return;
     if (status_ == RunStatus::finished || status_ == RunStatus::diverged) reset();
     engine_->post(command::Run{until});
+    begun_ = true;
 }
 
 void LiveRun::pause() {
     if (engine_) engine_->post(command::Pause{});
+    begun_ = false;
 }
 
 void LiveRun::step(std::int64_t count) {
@@ -147,6 +173,7 @@ void LiveRun::step(std::int64_t count) {
 
 void LiveRun::reset() {
     if (engine_) engine_->post(command::Reset{});
+    begun_ = false;
 }
 
 void LiveRun::update() {

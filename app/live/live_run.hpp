@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <future>
 #include <map>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "run/design_values.hpp"
 #include "run/engine.hpp"
 
 namespace percuss::app {
@@ -27,9 +29,9 @@ class LiveRun {
     void open(std::filesystem::path file, const std::vector<std::string>& overrides = {});
     /// The same file anew, with the values set here; after a refusal, what was refused.
     void reload();
-    /// Sets a value of the scene ("parameters.bore", "4.5"). What can act from the next step on does
-    /// (effect_of_change); anything else builds a new run, which starts when the old one had. Calls during a
-    /// build wait for it, the last one for each key counts.
+    /// Sets a value of the scene ("parameters.bore", "4.5"). The scene is read anew, aside; when the run can
+    /// go on with it from its next step on (effect_of_change), it does; anything else builds a new run, which
+    /// starts when the old one had. Calls during a build wait for it, the last one for each key counts.
     void set(const std::string& key, const std::string& value);
     void forget(const std::string& key);  ///< its value is that of the file again
     void forget_settings();               ///< all values as they are in the file
@@ -65,16 +67,25 @@ class LiveRun {
     /// Whether the file that reload() would read has changed on disk since it was last read.
     [[nodiscard]] bool file_changed() const;
     [[nodiscard]] int builds() const { return builds_; }  ///< engines taken over so far
+    /// When the change was asked for that the present engine was built for.
+    [[nodiscard]] std::chrono::steady_clock::time_point built_for() const { return built_for_; }
+    /// What can be varied in the scene, with the values that are set; empty before there is one.
+    [[nodiscard]] const std::vector<DesignValue>& design() const { return design_; }
+    [[nodiscard]] const DesignValue* design_value(const std::string& key) const;
 
   private:
     struct Request {
         std::filesystem::path file;
-        std::vector<std::string> overrides;
-        std::map<std::string, std::string> settings;
+        std::vector<std::string> overrides{};
+        std::map<std::string, std::string> settings{};
         bool start = false;
+        bool anew = true;  // whatever the present run could go on with
+        std::chrono::steady_clock::time_point asked = std::chrono::steady_clock::now();
     };
     struct Built {
-        std::unique_ptr<Engine> engine;
+        std::shared_ptr<const Scene> scene;
+        std::unique_ptr<Engine> engine;  // null: the present one can go on with the scene
+        std::vector<DesignValue> design;
         std::vector<std::string> messages, warnings;
     };
 
@@ -82,11 +93,13 @@ class LiveRun {
     void begin(Request wanted);
     void take_over(Built built);
     void retire(std::unique_ptr<Engine> engine);
-    [[nodiscard]] Request present() const;
-    [[nodiscard]] Built build(const Request& wanted) const;
+    [[nodiscard]] Request present(bool anew) const;
+    [[nodiscard]] Built build(const Request& wanted, const Scene* present) const;
 
     EngineOptions options_;
     std::unique_ptr<Engine> engine_;
+    std::shared_ptr<const Scene> scene_;  // of the engine, newer than what its thread has taken up
+    std::vector<DesignValue> design_;
     std::filesystem::path file_;
     std::vector<std::string> overrides_;           // of the command line
     std::map<std::string, std::string> settings_;  // made in the window
@@ -97,7 +110,9 @@ class LiveRun {
     Request being_built_;
     std::optional<Request> next_;
     std::vector<std::future<void>> retired_;  // engines that end their last step
+    bool begun_ = false;                      // told to run, whether its first step is made or not
     int builds_ = 0;
+    std::chrono::steady_clock::time_point built_for_{};
 
     std::shared_ptr<const Snapshot> snapshot_;
     std::shared_ptr<const History> history_;

@@ -15,6 +15,8 @@
 #include "ui/screen.hpp"
 #include "view/live_view.hpp"
 #include "view/pick.hpp"
+#include "workbench/design_panel.hpp"
+#include "workbench/timing.hpp"
 #include "workbench/widget_names.hpp"
 
 namespace percuss::app {
@@ -81,6 +83,8 @@ class Workbench {
     ViewportState viewport;
     PlotsState plots;
     std::optional<Reference> reference;  ///< the run that the present one is compared with
+    DesignPanel design;
+    Timing timing;  ///< fed by whoever shows the frames
     WidgetNames names;
     bool panels = true, help = false, pick_scene = false;
     bool reload_by_itself = true;
