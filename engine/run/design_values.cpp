@@ -161,7 +161,7 @@ void add_law(Collector& list, const std::string& key, std::size_t m, const VoceH
     list.add(key + ".plastic.saturation", "saturating hardening", Quantity::stress, {}, 0,
              "What the exponential part adds to the yield stress in the end.",
              of(&VoceHardening::saturation));
-    list.add(key + ".plastic.rate", "its rate", Quantity::dimensionless, {}, 0,
+    list.add(key + ".plastic.rate", "saturation rate", Quantity::dimensionless, {}, 0,
              "How fast it saturates, for each unit of plastic strain.", of(&VoceHardening::rate));
 }
 

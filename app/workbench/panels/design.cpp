@@ -157,8 +157,9 @@ void show_choice(Workbench& w, const DesignValue& value) {
 void show_derived(Workbench& w, const DesignValue& value) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled(format_of(value, "%.5g").c_str(), value.number);
+    // Under the names of the others.
     ImGui::SameLine(0.36F * ImGui::GetWindowWidth() + ImGui::GetStyle().WindowPadding.x +
-                    0.3F * ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.x);
+                    1.2F * ImGui::GetFontSize());
     ImGui::TextDisabled("%s", title_of(value).c_str());
     w.names.name("label." + value.key);
     tooltip(help_of(value));

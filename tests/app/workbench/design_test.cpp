@@ -67,7 +67,8 @@ expect frame.seconds > 0
 expect frame.seconds < 10
 click back.material.steel.young
 wait material.steel.young = 210
-)");
+)",
+         {"--set", "model.duration=20"});
 }
 
 TEST_F(DesignWindowTest, ADoubleClickTypesAValue) {
