@@ -39,10 +39,11 @@ int useful_threads(int wanted, std::int32_t cells) {
 
 Solver::Solver(Scene scene, int threads)
     : setup_(make_setup(std::move(scene))),
-      step_size_(setup_->scene.step),
+      in_force_(std::make_shared<const InFlight>(in_flight(setup_->scene))),
       team_(useful_threads(threads, setup_->mesh.cell_count())),
       imposed_(impose_motion(setup_->scene, setup_->mesh)),
       loads_(setup_->scene, setup_->mesh),
+      contact_scheme_(setup_->scene.contact_solver.scheme),
       probes_(bind_probes(setup_->scene, setup_->mesh)) {
     const Scene& s = setup_->scene;
     scale_ = s.geometry == Geometry::axisymmetric ? 2 * std::numbers::pi : s.thickness;
@@ -52,7 +53,7 @@ Solver::Solver(Scene scene, int threads)
                                     [](const Batch& batch) { return batch.kernel.volumes != nullptr; });
     build_nodes();
     build_chunks();
-    contact_ = make_contact_method(s, setup_->mesh);
+    contact_ = make_contact_method(s, setup_->mesh, contact_scheme_);
     pairs_.resize(s.contacts.size());
     for (Pair& pair : pairs_) pair.flags.assign(setup_->mesh.nodes.size(), 0);
     if (!loads_.none()) external_.assign(2 * mass_.size(), 0);
@@ -83,8 +84,7 @@ Solver::Solver(Scene scene, int threads)
     statistics_.pairs.resize(pairs_.size());
     highest_.resize(static_cast<std::size_t>(team_.size()));
     evaluate_critical_step();
-    statistics_.critical_step_initial = statistics_.critical_step_min = state_.critical_step;
-    check_fixed_step(step_size_);
+    check_fixed_step(in_force_->step);
     // Node by node: held and driven nodes do not have their body's velocity; nodes of walls belong to no
     // body.
     for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
@@ -192,19 +192,72 @@ void Solver::build_chunks() {
     element_sums_.resize(element_chunks_.size());
 }
 
-void Solver::check_fixed_step(const StepSize& step) const {
-    if (!step.fixed || *step.fixed <= state_.critical_step) return;
+void Solver::check_fixed_step(const StepSize& step) {
+    if (!step.fixed) return;
+    const double critical =
+        bounds_elements(*state_.critical_of) ? state_.critical_step : critical_step_of_elements();
+    if (*step.fixed <= critical) return;
     const Scene& scene = setup_->scene;
     const auto unit = scene.units.display(Quantity::time, *step.fixed);
     throw SceneError(
         {fmt::format("{}: time step {:.6g} {} is above the critical step; at most {:.6g} {} is stable",
                      describe_place(scene, step.place), *step.fixed * unit.scale, unit.label,
-                     state_.critical_step * unit.scale, unit.label)});
+                     critical * unit.scale, unit.label)});
 }
 
-void Solver::set_step(const StepSize& step) {
-    check_fixed_step(step);
-    step_size_ = step;
+/// Whether a critical step that was found with these values is that of the values in force.
+bool Solver::bounds_elements(const InFlight& values) const {
+    if (&values == in_force_.get()) return true;
+    for (std::size_t b = 0; b < values.bodies.size(); ++b) {
+        const InFlight::OfBody &old = values.bodies[b], &now = in_force_->bodies[b];
+        if (old.viscosity != now.viscosity || old.hourglass != now.hourglass) return false;
+    }
+    return true;
+}
+
+void Solver::take_up(const InFlight& values) {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        const InFlight::OfBody& of = values.bodies[b];
+        ElasticConstants& material = batches_[b].material;
+        if (of.viscosity) {
+            material.viscosity_linear = of.viscosity->linear;
+            material.viscosity_quadratic = of.viscosity->quadratic;
+        }
+        material.hourglass = of.hourglass;
+    }
+    if (contact_) contact_->change(values.friction, values.contact_solver.recovery_speed);
+    if (!loads_.none()) {
+        Scene scene = setup_->scene;
+        for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+            scene.bodies[b].body_force = values.bodies[b].body_force;
+            scene.bodies[b].loads = values.bodies[b].loads;
+        }
+        loads_ = Loads(scene, setup_->mesh);
+    }
+}
+
+void Solver::change(std::shared_ptr<const InFlight> values) {
+    if (*values == *in_force_) return;
+    take_up(*values);
+    in_force_.swap(values);
+    try {
+        check_fixed_step(in_force_->step);
+    } catch (const SceneError&) {
+        take_up(*values);
+        in_force_.swap(values);
+        throw;
+    }
+}
+
+/// The new method knows positions and velocities only, as at the start of a run, and which master nodes had
+/// force. Not before the next step: until then the old one holds the forces of the last one.
+void Solver::switch_contact() {
+    contact_scheme_ = in_force_->contact_solver.scheme;
+    contact_ = make_contact_method(setup_->scene, setup_->mesh, contact_scheme_);
+    contact_->change(in_force_->friction, in_force_->contact_solver.recovery_speed);
+    std::vector<std::vector<std::int32_t>> active;
+    for (const Pair& pair : pairs_) active.push_back(pair.active);
+    contact_->restart(active);
 }
 
 bool Solver::finished() const { return state_.time >= setup_->scene.duration * (1 - 1e-12); }
@@ -323,8 +376,8 @@ RunStatistics Solver::statistics(bool complete) const {
     const double reference = std::max(ledger.initial_kinetic, ledger.largest_load);  // what was put in
     statistics.steps = state_.step;
     const PhaseSeconds& seconds = statistics.seconds;
-    statistics.step_seconds =
-        seconds.elements + seconds.contact_search + seconds.contact_solve + seconds.integrate;
+    statistics.step_seconds = seconds.elements + seconds.contact_search + seconds.contact_solve +
+                              seconds.integrate + seconds.critical_step + seconds.loads + seconds.probes;
     statistics.initial_energy = scale_ * ledger.initial_kinetic;
     if (reference > 0) {
         statistics.maximum_growth = ledger.growth / reference;
@@ -368,7 +421,8 @@ double Solver::strain_energy_error() const {
 SolverState Solver::save() const {
     SolverState state = state_;
     state.statistics = statistics_;
-    state.step_size = step_size_;
+    state.in_force = in_force_;
+    state.contact_scheme = contact_scheme_;
     for (const Pair& pair : pairs_) {
         state.active.push_back(pair.active);
         state.pairs.push_back(pair.state);
@@ -390,13 +444,22 @@ void Solver::restore(const SolverState& state) {
     const PhaseSeconds spent = statistics_.seconds;  // wall time does not go back
     statistics_ = state.statistics;
     statistics_.seconds = spent;
-    step_size_ = state.step_size;
+    if (state.in_force != in_force_) {
+        take_up(*state.in_force);
+        in_force_ = state.in_force;
+    }
     state_ = state;
+    state_.in_force.reset();
     state_.element_state.clear();
     state_.corner_force.clear();
     state_.active.clear();
     state_.pairs.clear();
     state_.contact.reset();
+    if (contact_ && state.contact_scheme != contact_scheme_) {
+        contact_scheme_ = state.contact_scheme;
+        contact_ = make_contact_method(setup_->scene, setup_->mesh, contact_scheme_);
+        contact_->change(in_force_->friction, in_force_->contact_solver.recovery_speed);
+    }
     if (contact_ && state.contact) contact_->become(*state.contact);
     if (contact_ && !state.contact) contact_->restart(state.active);
     average_nodal_volumes(setup_->scene.lagged ? state_.lagged_nodes.data() : state_.nodes.data());

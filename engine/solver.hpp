@@ -13,6 +13,8 @@
 #include "dynamics/team.hpp"
 #include "elements/batch.hpp"
 #include "run/history.hpp"
+#include "run/in_flight.hpp"
+#include "run/phase_timer.hpp"
 #include "run/probes.hpp"
 #include "run/snapshot.hpp"
 #include "run/statistics.hpp"
@@ -32,7 +34,9 @@ struct SolverState {
     /// What contact remembers between steps; filled by save(). Whoever changes positions resets it: restore()
     /// then lets contact begin anew.
     std::shared_ptr<const ContactMethod> contact;
-    StepSize step_size;  ///< the control in force; filled by save()
+    ContactScheme contact_scheme = ContactScheme::projection;  ///< of `contact`; filled by save()
+    std::shared_ptr<const InFlight> in_force;     ///< values that can change in flight; filled by save()
+    std::shared_ptr<const InFlight> critical_of;  ///< the values that critical_step was found with
     double time = 0, dt = 0, critical_step = 0;
     std::int64_t step = 0, next_critical_step = 0;
 };
@@ -54,9 +58,12 @@ class Solver {
     /// so; the state is then not usable until restore().
     std::optional<Divergence> step();
     [[nodiscard]] bool finished() const;
-    /// Changes the step control of a run under way. @throws SceneError when a fixed step is above the
-    /// critical one.
-    void set_step(const StepSize& step);
+    /// Goes on with other values from the next step on; equal ones change nothing, bit by bit. @pre they
+    /// are those of a scene by which this one's run can go on (effect_of_change). @throws SceneError when a
+    /// fixed step would be above the critical one; nothing has changed then.
+    void change(std::shared_ptr<const InFlight> values);
+    /// The values in force.
+    [[nodiscard]] const std::shared_ptr<const InFlight>& in_force() const { return in_force_; }
 
     [[nodiscard]] std::shared_ptr<const RunSetup> setup() const { return setup_; }
     [[nodiscard]] double time() const { return state_.time; }
@@ -103,11 +110,15 @@ class Solver {
 
     void build_nodes();
     void build_chunks();
-    void check_fixed_step(const StepSize& step) const;
+    void check_fixed_step(const StepSize& step);
+    void take_up(const InFlight& values);
+    void switch_contact();
+    [[nodiscard]] bool bounds_elements(const InFlight& values) const;
+    [[nodiscard]] double critical_step_of_elements();
 
     // The phases of a step, in order.
     void read_probes();
-    std::optional<Divergence> choose_step();
+    std::optional<Divergence> choose_step(PhaseTimer& timer);
     void predict();
     void resolve_contacts();
     std::optional<Divergence> close_ledger();
@@ -151,7 +162,7 @@ class Solver {
     [[nodiscard]] std::array<double, 2> velocity_before(std::int32_t node) const;
 
     std::shared_ptr<const RunSetup> setup_;
-    StepSize step_size_;
+    std::shared_ptr<const InFlight> in_force_;
     double scale_ = 1;
     Team team_;
     SolverState state_;
@@ -179,6 +190,7 @@ class Solver {
     std::vector<std::array<double, 2>> drive_;  // per body: force of what drives it [force]
     Loads loads_;
     std::unique_ptr<ContactMethod> contact_;  // null without pairs
+    ContactScheme contact_scheme_;            // its
     std::vector<Pair> pairs_;
     std::vector<double> contact_impulse_;  // 2 per node, zero but during a step
     std::vector<std::int32_t> touched_;

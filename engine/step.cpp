@@ -26,8 +26,15 @@ std::optional<Divergence> Solver::step() {
     PhaseTimer timer;
     PhaseSeconds& seconds = statistics_.seconds;
 
-    if (!probes_.empty()) read_probes();
-    if (auto divergence = choose_step()) return divergence;
+    if (!probes_.empty()) {
+        read_probes();
+        timer.book(seconds.probes);
+    }
+    if (auto divergence = choose_step(timer)) return divergence;
+    if (!loads_.none()) {
+        loads_.evaluate(state_.nodes.data(), mass_, state_.time, external_);
+        timer.book(seconds.loads);
+    }
     predict();  // v += dt M^-1 (f_ext - f_int), x += dt v
     timer.book(seconds.integrate);
 
@@ -59,9 +66,15 @@ void Solver::read_probes() {
     }
 }
 
-std::optional<Divergence> Solver::choose_step() {
-    if (state_.step >= state_.next_critical_step) evaluate_critical_step();
-    const double dt = step_size_.fixed ? *step_size_.fixed : step_size_.courant * state_.critical_step;
+std::optional<Divergence> Solver::choose_step(PhaseTimer& timer) {
+    const bool other_values = state_.critical_of != in_force_ && !bounds_elements(*state_.critical_of);
+    if (state_.step >= state_.next_critical_step || other_values) {
+        evaluate_critical_step();
+        timer.book(statistics_.seconds.critical_step);
+    }
+    if (state_.critical_of != in_force_) state_.critical_of = in_force_;
+    const StepSize& size = in_force_->step;
+    const double dt = size.fixed ? *size.fixed : size.courant * state_.critical_step;
     if (dt > state_.critical_step) {
         const auto unit = setup_->scene.units.display(Quantity::time, dt);
         return Divergence{
@@ -85,7 +98,7 @@ std::optional<Divergence> Solver::choose_step() {
     return std::nullopt;
 }
 
-void Solver::evaluate_critical_step() {
+double Solver::critical_step_of_elements() {
     const Node* nodes = state_.nodes.data();
     average_nodal_volumes(nodes);
     std::fill(highest_.begin(), highest_.end(), 0.0);
@@ -98,9 +111,17 @@ void Solver::evaluate_critical_step() {
             most = std::max(most, batch.kernel.frequency(batch, nodes, chunk.begin, chunk.end));
         }
     });
-    state_.critical_step = 2 / std::sqrt(*std::max_element(highest_.begin(), highest_.end()));
+    return 2 / std::sqrt(*std::max_element(highest_.begin(), highest_.end()));
+}
+
+void Solver::evaluate_critical_step() {
+    state_.critical_step = critical_step_of_elements();
+    state_.critical_of = in_force_;
+    if (state_.step == 0)
+        statistics_.critical_step_initial = statistics_.critical_step_min = state_.critical_step;
     statistics_.critical_step_min = std::min(statistics_.critical_step_min, state_.critical_step);
 
+    const Node* nodes = state_.nodes.data();
     // The next evaluation comes before any element can have been strained by 5 %: no strain rate exceeds the
     // range of its body's velocities over its size, which the body's fastest wave crosses in no less than a
     // critical step.
@@ -124,7 +145,6 @@ void Solver::evaluate_critical_step() {
 }
 
 void Solver::predict() {
-    if (!loads_.none()) loads_.evaluate(state_.nodes.data(), mass_, state_.time, external_);
     if (imposed_.timed) switch_prescribed();
     if (state_.step == 0) start_half_step_early();
     const auto chunks = [this](int part) {
@@ -269,6 +289,7 @@ void Solver::stresses_at_predicted_positions() {
 
 void Solver::resolve_contacts() {
     if (!contact_) return;
+    if (contact_scheme_ != in_force_->contact_solver.scheme) switch_contact();
     PredictedMotion motion{
         state_.dt, kick_, state_.nodes.data(), inverse_mass_.data(), contact_impulse_.data(), &touched_};
     contact_->resolve(motion, statistics_);

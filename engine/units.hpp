@@ -47,6 +47,7 @@ class Units {
     [[nodiscard]] const std::string& length_name() const { return length_; }
     [[nodiscard]] const std::string& time_name() const { return time_; }
     [[nodiscard]] const std::string& mass_name() const { return mass_; }
+    bool operator==(const Units&) const = default;
 
   private:
     std::string length_ = "mm", time_ = "ms", mass_ = "kg";

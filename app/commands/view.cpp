@@ -140,6 +140,9 @@ int view(const ViewCommand& command) {
         workbench.frame();
         const bool record = workbench.exports.wants_frame(workbench);
         screen->end_frame(record || workbench.screenshot.has_value());
+        workbench.timing.count(
+            workbench.run, began, Clock::now(),
+            workbench.viewport.drawn && workbench.viewport.drawn == workbench.run.snapshot());
         if (record) workbench.exports.take_frame(workbench, screen->grabbed());
         write_screenshot(workbench, *screen);
         rest(*screen, workbench, began, player.has_value());

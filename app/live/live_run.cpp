@@ -40,22 +40,24 @@ LiveRun::~LiveRun() {
     if (building_) building_->wait();
 }
 
-LiveRun::Request LiveRun::present() const {
-    Request same = next_ ? *next_ : building_ ? being_built_ : Request{file_, overrides_, settings_, false};
+LiveRun::Request LiveRun::present(bool anew) const {
+    Request same = next_ ? *next_ : building_ ? being_built_ : Request{file_, overrides_, settings_};
+    same.anew = anew || (next_ && next_->anew);
+    same.asked = std::chrono::steady_clock::now();
     // What has begun goes on with the new design; a run that waits at its beginning waits on.
-    if (engine_ && history_ && history_->rows() > 0) same.start = true;
+    if (begun_ || (engine_ && history_ && history_->rows() > 0)) same.start = true;
     return same;
 }
 
 void LiveRun::open(std::filesystem::path file, const std::vector<std::string>& overrides) {
-    request({std::move(file), overrides, {}, false});
+    request({std::move(file), overrides});
 }
 
 void LiveRun::reload() {
     if (refused_ && !building_)
         request(Request(being_built_));
     else
-        request(present());
+        request(present(true));
 }
 
 void LiveRun::dismiss_messages() {
@@ -73,19 +75,19 @@ void LiveRun::set(const std::string& key, const std::string& value) {
         settings_[key] = value;
         return;
     }
-    Request wanted = present();
+    Request wanted = present(false);
     wanted.settings[key] = value;
     request(std::move(wanted));
 }
 
 void LiveRun::forget(const std::string& key) {
-    Request wanted = present();
+    Request wanted = present(false);
     wanted.settings.erase(key);
     request(std::move(wanted));
 }
 
 void LiveRun::forget_settings() {
-    Request wanted = present();
+    Request wanted = present(false);
     wanted.settings.clear();
     request(std::move(wanted));
 }
@@ -99,6 +101,12 @@ std::optional<std::string> LiveRun::setting(const std::string& key) const {
 
 std::vector<std::string> LiveRun::overrides() const { return together(overrides_, settings_); }
 
+const DesignValue* LiveRun::design_value(const std::string& key) const {
+    const auto found = std::find_if(design_.begin(), design_.end(),
+                                    [&](const DesignValue& value) { return value.key == key; });
+    return found == design_.end() ? nullptr : &*found;
+}
+
 void LiveRun::request(Request wanted) {
     if (building_)
         next_ = std::move(wanted);
@@ -109,10 +117,14 @@ void LiveRun::request(Request wanted) {
 void LiveRun::begin(Request wanted) {
     being_built_ = std::move(wanted);
     tried_at_ = time_of(being_built_.file);
-    building_ = std::async(std::launch::async, [this, request = being_built_] { return build(request); });
+    const bool same = engine_ && being_built_.file == file_ && !being_built_.anew;
+    building_ =
+        std::async(std::launch::async, [this, request = being_built_, scene = same ? scene_ : nullptr] {
+            return build(request, scene.get());
+        });
 }
 
-LiveRun::Built LiveRun::build(const Request& wanted) const {
+LiveRun::Built LiveRun::build(const Request& wanted, const Scene* present) const {
     Built built;
     try {
         if (const std::filesystem::path file = run_file_of(wanted.file); !file.empty()) {
@@ -123,7 +135,10 @@ LiveRun::Built LiveRun::build(const Request& wanted) const {
         }
         Scene scene = load_scene(wanted.file, together(wanted.overrides, wanted.settings));
         built.warnings = scene.warnings;
-        built.engine = std::make_unique<Engine>(std::move(scene), options_);
+        if (!present || effect_of_change(*present, scene) == ChangeEffect::rebuild)
+            built.engine = std::make_unique<Engine>(scene, options_);
+        built.design = design_values(scene);
+        built.scene = std::make_shared<const Scene>(std::move(scene));
     } catch (const SceneError& error) {
         built.messages = error.messages();
     } catch (const std::exception& error) {
@@ -135,21 +150,29 @@ LiveRun::Built LiveRun::build(const Request& wanted) const {
 
 void LiveRun::take_over(Built built) {
     messages_ = std::move(built.messages);
-    refused_ = !built.engine && !built.recording;
+    refused_ = !built.scene && !built.recording;
     if (refused_) return;
     read_at_ = tried_at_;
+    warnings_ = std::move(built.warnings);
+    file_ = being_built_.file;
+    overrides_ = being_built_.overrides;
+    settings_ = being_built_.settings;
+    scene_ = std::move(built.scene);
+    design_ = std::move(built.design);
+    if (!built.engine && !built.recording) {  // the present run goes on with the scene
+        engine_->post(command::Change{scene_});
+        return;
+    }
     retire(std::exchange(engine_, std::move(built.engine)),
            std::exchange(recording_, std::move(built.recording)));
     ++builds_;
+    built_for_ = being_built_.asked;
+    begun_ = being_built_.start;
     playhead_.go_live();
     set_back_ = false;
     branch_.reset();
     timeline_ = {};
     status_ = RunStatus::paused;
-    warnings_ = std::move(built.warnings);
-    file_ = being_built_.file;
-    overrides_ = being_built_.overrides;
-    settings_ = being_built_.settings;
     if (recording_) {
         history_ = recording_->history();
         statistics_ = {};

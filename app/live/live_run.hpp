@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -12,6 +13,7 @@
 
 #include "live/playhead.hpp"
 #include "live/recording.hpp"
+#include "run/design_values.hpp"
 #include "run/engine.hpp"
 
 namespace percuss::app {
@@ -36,9 +38,9 @@ class LiveRun {
     void open(std::filesystem::path file, const std::vector<std::string>& overrides = {});
     /// The same file anew, with the values set here; after a refusal, what was refused.
     void reload();
-    /// Sets a value of the scene ("parameters.bore", "4.5"). What can act from the next step on does
-    /// (effect_of_change); anything else builds a new run, which starts when the old one had. Calls during a
-    /// build wait for it, the last one for each key counts.
+    /// Sets a value of the scene ("parameters.bore", "4.5"). The scene is read anew, aside; when the run can
+    /// go on with it from its next step on (effect_of_change), it does; anything else builds a new run, which
+    /// starts when the old one had. Calls during a build wait for it, the last one for each key counts.
     void set(const std::string& key, const std::string& value);
     void forget(const std::string& key);  ///< its value is that of the file again
     void forget_settings();               ///< all values as they are in the file
@@ -118,17 +120,26 @@ class LiveRun {
     /// Whether the file that reload() would read has changed on disk since it was last read.
     [[nodiscard]] bool file_changed() const;
     [[nodiscard]] int builds() const { return builds_; }  ///< engines taken over so far
+    /// When the change was asked for that the present engine was built for.
+    [[nodiscard]] std::chrono::steady_clock::time_point built_for() const { return built_for_; }
+    /// What can be varied in the scene, with the values that are set; empty before there is one.
+    [[nodiscard]] const std::vector<DesignValue>& design() const { return design_; }
+    [[nodiscard]] const DesignValue* design_value(const std::string& key) const;
 
   private:
     struct Request {
         std::filesystem::path file;
-        std::vector<std::string> overrides;
-        std::map<std::string, std::string> settings;
+        std::vector<std::string> overrides{};
+        std::map<std::string, std::string> settings{};
         bool start = false;
+        bool anew = true;  // whatever the present run could go on with
+        std::chrono::steady_clock::time_point asked = std::chrono::steady_clock::now();
     };
     struct Built {
-        std::unique_ptr<Engine> engine;
+        std::shared_ptr<const Scene> scene;
+        std::unique_ptr<Engine> engine;  // null: the present one can go on with the scene
         std::shared_ptr<Recording> recording;
+        std::vector<DesignValue> design;
         std::vector<std::string> messages, warnings;
     };
 
@@ -142,8 +153,8 @@ class LiveRun {
     [[nodiscard]] std::shared_ptr<const Snapshot> looked_at() const;
     void return_to_end();  // an engine that was set back
     [[nodiscard]] double playing_speed() const;
-    [[nodiscard]] Request present() const;
-    [[nodiscard]] Built build(const Request& wanted) const;
+    [[nodiscard]] Request present(bool anew) const;
+    [[nodiscard]] Built build(const Request& wanted, const Scene* present) const;
 
     struct Branch {
         double from = 0;  // the moment asked for [time]
@@ -155,6 +166,8 @@ class LiveRun {
     OpenRun open_run_;
     std::unique_ptr<Engine> engine_;        // this,
     std::shared_ptr<Recording> recording_;  // or this, or none yet
+    std::shared_ptr<const Scene> scene_;    // of the engine, newer than what its thread has taken up
+    std::vector<DesignValue> design_;
     std::filesystem::path file_;
     std::vector<std::string> overrides_;           // of the command line
     std::map<std::string, std::string> settings_;  // made in the window
@@ -165,8 +178,10 @@ class LiveRun {
     Request being_built_;
     std::optional<Request> next_;
     std::vector<std::future<void>>
-        retired_;  // engines that end their last step, files that end their last read
+        retired_;         // engines that end their last step, files that end their last read
+    bool begun_ = false;  // told to run, whether its first step is made or not
     int builds_ = 0;
+    std::chrono::steady_clock::time_point built_for_{};
 
     Playhead playhead_;
     bool set_back_ = false;  // asked of the engine, and not taken back

@@ -19,6 +19,7 @@ void LiveRun::run(std::optional<double> until) {
     go_live();
     if (status_ == RunStatus::finished || status_ == RunStatus::diverged) reset();
     engine_->post(command::Run{until});
+    begun_ = true;
 }
 
 void LiveRun::pause() {
@@ -26,6 +27,7 @@ void LiveRun::pause() {
     if (!engine_) return;
     go_live();
     engine_->post(command::Pause{});
+    begun_ = false;
 }
 
 void LiveRun::step(std::int64_t count) {
@@ -42,6 +44,7 @@ void LiveRun::reset() {
     branch_.reset();
     set_back_ = false;
     engine_->post(command::Reset{});
+    begun_ = false;
 }
 
 void LiveRun::set_speed(std::optional<double> speed) {

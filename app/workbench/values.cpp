@@ -31,6 +31,9 @@ constexpr NamedValue always[] = {
     {"panels", [](const Workbench& w) -> Value { return flag(w.panels); }},
     {"help", [](const Workbench& w) -> Value { return flag(w.help); }},
     {"frames", [](const Workbench& w) -> Value { return static_cast<double>(w.frames); }},
+    {"fps", [](const Workbench& w) -> Value { return w.timing.frames_per_second(); }},
+    {"frame.seconds", [](const Workbench& w) -> Value { return w.timing.frame_seconds(); }},
+    {"engine.speed", [](const Workbench& w) -> Value { return w.timing.steps_per_second(); }},
     {"reference", [](const Workbench& w) -> Value { return flag(w.reference.has_value()); }},
     {"recorded", [](const Workbench& w) -> Value { return flag(w.run.recorded()); }},
     {"live", [](const Workbench& w) -> Value { return flag(w.run.live()); }},
@@ -117,11 +120,10 @@ std::optional<Value> Workbench::value(const std::string& name) const {
     if (name == "branch.to" && drops) return (*drops)[1];
     if (name == "plots.from" && plots.time) return (*plots.time)[0];
     if (name == "plots.to" && plots.time) return (*plots.time)[1];
-    constexpr std::string_view parameters = "parameters.";
-    if (!name.starts_with(parameters)) return std::nullopt;
-    for (const Parameter& parameter : run.snapshot()->setup->scene.parameters)
-        if (parameter.name == name.substr(parameters.size())) return parameter.value;
-    return std::nullopt;
+    if (name == "rebuild.seconds" && timing.rebuild_seconds()) return *timing.rebuild_seconds();
+    const DesignValue* varied = run.design_value(name);
+    if (varied == nullptr) return std::nullopt;
+    return varied->choices.empty() ? Value(varied->number) : Value(varied->choice);
 }
 
 std::vector<std::string> Workbench::value_names() {
@@ -130,7 +132,8 @@ std::vector<std::string> Workbench::value_names() {
     for (const NamedValue& value : of_scene) names.emplace_back(value.name);
     for (const NamedValue& value : of_view) names.emplace_back(value.name);
     names.insert(names.end(), {"ghost.time", "reference.time", "branch.from", "branch.to", "plots.from",
-                               "plots.to", "parameters.NAME"});
+                               "plots.to", "rebuild.seconds", "parameters.NAME",
+                               "KEY of a value in the design panel"});
     return names;
 }
 

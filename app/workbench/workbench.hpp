@@ -16,10 +16,12 @@
 #include "ui/screen.hpp"
 #include "view/live_view.hpp"
 #include "view/pick.hpp"
+#include "workbench/design_panel.hpp"
 #include "workbench/export/exports.hpp"
 #include "workbench/layout.hpp"
 #include "workbench/thumbnails/thumbnails.hpp"
 #include "workbench/timeline_state.hpp"
+#include "workbench/timing.hpp"
 #include "workbench/widget_names.hpp"
 
 namespace percuss::app {
@@ -95,6 +97,8 @@ class Workbench {
     std::optional<Reference> reference;  ///< the run that the present one is compared with
     Ghost ghost;                         ///< of the run before the design was changed
     TimelineState timeline;
+    DesignPanel design;
+    Timing timing;  ///< fed by whoever shows the frames
     WidgetNames names;
     bool panels = true, help = false, pick_scene = false;
     bool reload_by_itself = true;

@@ -6,11 +6,11 @@
 
 namespace percuss {
 
-std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Mesh& mesh) {
+std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Mesh& mesh,
+                                                   ContactScheme scheme) {
     if (scene.contacts.empty()) return nullptr;
     if (has_friction(scene)) return std::make_unique<FrictionalContact>(scene, mesh);
-    if (scene.contact_solver.scheme == ContactScheme::joint)
-        return std::make_unique<JointContact>(scene, mesh);
+    if (scheme == ContactScheme::joint) return std::make_unique<JointContact>(scene, mesh);
     return std::make_unique<PairByPair>(scene, mesh);
 }
 

@@ -37,9 +37,13 @@ class ContactMethod {
     /// Positions were changed from outside: forgets what was remembered between steps, but for the master
     /// nodes of each pair that had force in the last one.
     virtual void restart(const std::vector<std::vector<std::int32_t>>& active) = 0;
+    /// Goes on with other values. @param friction coefficient per pair, above 0 where it was before
+    /// @param recovery_speed as ContactSolver's [velocity]
+    virtual void change(const std::vector<double>& friction, double recovery_speed) = 0;
 };
 
-/// The method that the scene asks for; null when it has no contact pairs.
-[[nodiscard]] std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Mesh& mesh);
+/// The method for a scene with this scheme; null when it has no contact pairs.
+[[nodiscard]] std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Mesh& mesh,
+                                                                 ContactScheme scheme);
 
 }  // namespace percuss

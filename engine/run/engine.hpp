@@ -39,11 +39,15 @@ struct Seek {
     double time = 0;
 };
 /// Changes a value of the scene ("model.step.courant", "0.5"). What it takes: effect_of_change
-/// (run/in_flight.hpp). The time step changes from the next step on; what the run does not read only changes
+/// (run/in_flight.hpp). What can act from the next step on does; what the run does not read only changes
 /// Engine::scene; any other value resets the run. A key or value that is not valid leaves everything as it
 /// was and gives a message.
 struct Set {
     std::string key, value;
+};
+/// Goes on with another scene, likewise: one that was read elsewhere, so that the run does not wait for it.
+struct Change {
+    std::shared_ptr<const Scene> scene;
 };
 /// Holds runs back to so much simulated time per second of wall time, > 0 [time/s]; absent: as fast as can
 /// be.
@@ -53,7 +57,7 @@ struct SetSpeed {
 struct Stop {};  ///< ends the thread
 }  // namespace command
 using Command = std::variant<command::Run, command::Pause, command::Steps, command::Reset, command::Seek,
-                             command::Set, command::SetSpeed, command::Stop>;
+                             command::Set, command::Change, command::SetSpeed, command::Stop>;
 
 struct EngineOptions {
     int threads = 1;

@@ -66,24 +66,30 @@ void Engine::Impl::set(const command::Set& command) {
     overrides.push_back(command.key + "=" + command.value);
     try {
         Scene changed = parse_scene(scene.text, scene.file, overrides);
-        switch (effect_of_change(command.key)) {
-            case ChangeEffect::none:
-                break;
-            case ChangeEffect::next_step:
-                run->set_step(changed.step);
-                break;
-            case ChangeEffect::rebuild:
-                run = make_run(changed);
-                take_over(std::move(changed));
-                begin_run();
-                return;
-        }
-        take_over(std::move(changed));
+        // Of a figure the key tells what is drawn and what is sampled.
+        const bool harmless = effect_of_change(command.key) == ChangeEffect::none;
+        change(std::move(changed), harmless);
     } catch (const SceneError& error) {
         for (const std::string& line : error.messages()) say(line);
     } catch (const std::exception& error) {
         say(command.key + " = " + command.value + ": " + error.what());
     }
+}
+
+void Engine::Impl::change(Scene changed, bool harmless) {
+    switch (harmless ? ChangeEffect::none : effect_of_change(scene, changed)) {
+        case ChangeEffect::none:
+            break;
+        case ChangeEffect::next_step:
+            run->change(in_flight(changed));
+            break;
+        case ChangeEffect::rebuild:
+            run = make_run(changed);
+            take_over(std::move(changed));
+            begin_run();
+            return;
+    }
+    take_over(std::move(changed));
 }
 
 void Engine::Impl::set_speed(std::optional<double> wanted) {
@@ -149,6 +155,13 @@ void Engine::Impl::obey(const Command& command) {
                    },
                    [&](const command::Seek& where) { seek(where.time); },
                    [&](const command::Set& what) { set(what); },
+                   [&](const command::Change& what) {
+                       try {
+                           change(*what.scene, false);
+                       } catch (const SceneError& error) {
+                           for (const std::string& line : error.messages()) say(line);
+                       }
+                   },
                    [&](const command::SetSpeed& what) { set_speed(what.speed); },
                    [&](const command::Stop&) {
                        if (state == RunStatus::running) state = RunStatus::paused;

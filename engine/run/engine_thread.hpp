@@ -91,6 +91,7 @@ struct Engine::Impl {
     void say(std::string text);
     void take_over(Scene changed);
     void set(const command::Set& command);
+    void change(Scene changed, bool harmless);  // harmless: the run reads nothing of what differs
     void set_speed(std::optional<double> wanted);
     bool seek_is_superseded();  // the next command makes it useless to go on with a Seek
     void seek(double to);

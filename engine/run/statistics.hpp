@@ -14,10 +14,13 @@ struct PhaseSeconds {
     double elements = 0;
     double contact_search = 0;
     double contact_solve = 0;
-    double integrate = 0;  ///< kick, drift, boundary conditions, ledger
-    double history = 0;    ///< appending the full-rate histories, taking snapshots
-    double record = 0;     ///< writing run.h5 and history.csv (filled by the recorder)
-    double render = 0;     ///< drawing (filled by the renderer)
+    double integrate = 0;      ///< kick, drift, boundary conditions, ledger
+    double critical_step = 0;  ///< finding it anew, every some steps
+    double loads = 0;          ///< body forces, pressures and tractions
+    double probes = 0;         ///< reading them
+    double history = 0;        ///< appending the full-rate histories, taking snapshots
+    double record = 0;         ///< writing run.h5 and history.csv (filled by the recorder)
+    double render = 0;         ///< drawing (filled by the renderer)
 };
 
 struct PairStatistics {
@@ -33,12 +36,12 @@ struct PairStatistics {
 
 /// What the solver of the joint contact problem did.
 struct ContactSolverStatistics {
-    std::int64_t problems = 0;    ///< connected groups of rows solved
-    std::int64_t iterations = 0;  ///< factorisations for them
-    std::int64_t fallbacks = 0;   ///< of them, how many ended in projected Gauss-Seidel
-    std::int64_t rows = 0;        ///< in all of them
-    int most_iterations = 0;      ///< for one of them
-    std::int32_t most_rows = 0;   ///< in one of them
+    std::int64_t problems = 0;            ///< connected groups of rows solved
+    std::int64_t iterations = 0;          ///< factorisations for them
+    std::int64_t fallbacks = 0;           ///< of them, how many ended in projected Gauss-Seidel
+    std::int64_t rows = 0;                ///< in all of them
+    int most_iterations = 0;              ///< for one of them
+    std::int32_t most_rows = 0;           ///< in one of them
     std::int64_t friction_solutions = 0;  ///< steps in which contact and friction were solved in turn
     std::int64_t friction_rounds = 0;     ///< rounds for them
     int most_friction_rounds = 0;         ///< in one of them

@@ -16,7 +16,7 @@ constexpr std::int64_t steps_between_safe_states = 256;
 TravellingRun::TravellingRun(const Scene& scene, int threads, std::size_t state_memory)
     : solver_(std::make_unique<Solver>(scene, threads)),
       record_(*solver_->setup()),
-      wanted_size_(solver_->setup()->scene.step) {
+      wanted_(solver_->in_force()) {
     if (state_memory > 0) states_ = std::make_shared<StateHistory>(state_memory, steps_between_states);
 }
 
@@ -48,7 +48,7 @@ std::optional<Divergence> TravellingRun::step() {
     // Back to the last step whose stresses are known to be sound.
     solver_->restore(safe_->solver);
     while (solver_->steps() < failed - 1) {
-        take_up_step_size();
+        take_up_change();
         if (!solver_->step()) continue;
         solver_->restore(safe_->solver);
         break;
@@ -56,22 +56,29 @@ std::optional<Divergence> TravellingRun::step() {
     return divergence;
 }
 
-void TravellingRun::set_step(const StepSize& size) {
-    solver_->set_step(size);
-    wanted_size_ = size;
-    if (end_) {
-        size_tried_ = true;
-        return;
-    }
-    std::erase_if(changes_, [&](const StepChange& change) { return change.step >= solver_->steps(); });
-    changes_.push_back({solver_->steps(), size});
+void TravellingRun::change(const InFlight& values) {
+    auto shared = std::make_shared<const InFlight>(values);
+    solver_->change(shared);
+    wanted_ = std::move(shared);
+    if (end_)
+        tried_ = true;
+    else
+        note_change();
 }
 
-/// The size that was set at this very step, if one was.
-void TravellingRun::take_up_step_size() {
-    const auto change = std::find_if(changes_.begin(), changes_.end(),
-                                     [&](const StepChange& c) { return c.step == solver_->steps(); });
-    if (change != changes_.end()) solver_->set_step(change->size);
+/// From the present step on the wanted values are in force.
+void TravellingRun::note_change() {
+    const std::int64_t now = solver_->steps();
+    std::erase_if(changes_, [&](const Change& change) { return change.step >= now; });
+    changes_.push_back({now, wanted_});
+}
+
+/// The values that were set at this very step, if any were.
+void TravellingRun::take_up_change() {
+    const std::int64_t now = solver_->steps();
+    const auto change = std::lower_bound(changes_.begin(), changes_.end(), now,
+                                         [](const Change& c, std::int64_t step) { return c.step < step; });
+    if (change != changes_.end() && change->step == now) solver_->change(change->values);
 }
 
 void TravellingRun::leave_end() {
@@ -87,13 +94,13 @@ void TravellingRun::back_at_end() {
 bool TravellingRun::seek(double time, const std::function<bool()>& give_up) {
     if (!end_) leave_end();
     const auto [kept, kept_time] = states_->at_or_before(std::max(time, 0.0));
-    const bool on_the_way = record_so_far_ && !size_tried_ && !reached(time) && solver_->time() >= kept_time;
+    const bool on_the_way = record_so_far_ && !tried_ && !reached(time) && solver_->time() >= kept_time;
     if (!on_the_way) {
         solver_->restore(kept->solver);
         record_so_far_ = record_.from(kept->record);
     }
     travelled_ = true;
-    size_tried_ = false;
+    tried_ = false;
     while (!reached(time) && solver_->steps() < end_->solver.step) {
         if (give_up()) return false;
         if (!step_again()) break;
@@ -104,7 +111,7 @@ bool TravellingRun::seek(double time, const std::function<bool()>& give_up) {
 
 /// @returns false when the step failed, which it did not do the first time.
 bool TravellingRun::step_again() {
-    take_up_step_size();
+    take_up_change();
     const double time = solver_->time();
     record_so_far_->before_step(*solver_);
     if (solver_->step()) {
@@ -117,11 +124,9 @@ bool TravellingRun::step_again() {
 
 bool TravellingRun::resume() {
     if (travelled_) {
-        solver_->set_step(wanted_size_);
-        const std::int64_t now = solver_->steps();
-        std::erase_if(changes_, [&](const StepChange& change) { return change.step >= now; });
-        changes_.push_back({now, wanted_size_});
-        travelled_ = size_tried_ = false;
+        solver_->change(wanted_);
+        note_change();
+        travelled_ = tried_ = false;
     }
     if (!end_) return false;
     record_ = std::move(*record_so_far_);

@@ -14,7 +14,7 @@
 namespace percuss {
 
 /// A run that can be set back to any of its moments. It keeps a state every so many steps; in between it
-/// steps again, with the step sizes that were in force, so that every moment is the one that was, bit by bit.
+/// steps again, with the values that were in force, so that every moment is the one that was, bit by bit.
 ///
 /// Set back, the run keeps what it has recorded until resume(): going on from an earlier moment is a branch,
 /// which drops all that came after. One thread; the engine's.
@@ -35,40 +35,40 @@ class TravellingRun {
     /// Makes and records one step. @pre the run is not set back. @returns why the run cannot go on, if so; it
     /// then stands at its last good step.
     std::optional<Divergence> step();
-    /// Changes the step control from the next step of the run on. @throws SceneError when a fixed step is
-    /// above the critical one; nothing has changed then.
-    void set_step(const StepSize& size);
+    /// Goes on with other values from the next step of the run on. @pre, @throws as Solver::change.
+    void change(const InFlight& values);
 
     /// Goes to the first step that reaches `time`; to the last one when none does [time]. @pre states are
     /// kept.
     /// @param give_up asked before each step that is made again: true leaves the run where it is then.
     /// @returns false when it was given up.
     bool seek(double time, const std::function<bool()>& give_up);
-    /// Makes ready for step(). @returns whether this was a branch. @throws SceneError when the step size that
-    /// was set cannot be taken at this moment; nothing has changed then.
+    /// Makes ready for step(). @returns whether this was a branch. @throws SceneError when the fixed step
+    /// that was set cannot be taken at this moment; nothing has changed then.
     bool resume();
 
   private:
-    struct StepChange {
+    struct Change {
         std::int64_t step;
-        StepSize size;
+        std::shared_ptr<const InFlight> values;
     };
     [[nodiscard]] bool reached(double time) const { return solver_->time() >= time * (1 - 1e-12); }
     [[nodiscard]] std::shared_ptr<const KeptState> keep() const;
     void keep_if_due();
     void leave_end();
     void back_at_end();
-    void take_up_step_size();
+    void note_change();
+    void take_up_change();
     bool step_again();
 
     std::unique_ptr<Solver> solver_;
     RunRecord record_;
     std::shared_ptr<StateHistory> states_;
     std::shared_ptr<const KeptState> safe_;  // not far back, for a run that diverges
-    std::vector<StepChange> changes_;        // by step, one a step at most
-    StepSize wanted_size_;
-    bool travelled_ = false;   // since it was last resumed: the solver's step size is that of the moment
-    bool size_tried_ = false;  // no, it is the wanted one
+    std::vector<Change> changes_;            // by step, one a step at most
+    std::shared_ptr<const InFlight> wanted_;
+    bool travelled_ = false;  // since it was last resumed: the solver's values are those of the moment
+    bool tried_ = false;      // no, they are the wanted ones
     std::shared_ptr<const KeptState> end_;    // null unless set back
     std::optional<RunRecord> record_so_far_;  // up to the moment that the run is set back to
 };

@@ -52,6 +52,7 @@ struct FigureSpec {
     int bins = 40;  ///< surface_forces: parts of that length
 
     Place place;
+    bool operator==(const FigureSpec&) const = default;
 };
 
 /// What [analysis] asks to be computed beside the histories.
@@ -63,8 +64,10 @@ struct Analysis {
         std::string body;
         double friction = 0;             ///< Coulomb's coefficient
         std::vector<std::string> pairs;  ///< contacts counted; empty: all of the body
+        bool operator==(const PullOut&) const = default;
     };
     std::optional<PullOut> pull_out;
+    bool operator==(const Analysis&) const = default;
 };
 
 }  // namespace percuss

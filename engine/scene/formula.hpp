@@ -16,6 +16,7 @@ struct Formula {
     std::string text;  ///< as written, without the leading "="
     std::vector<std::pair<std::string, double>> parameters;
     Place place;
+    bool operator==(const Formula&) const = default;
 };
 
 /// Formulas for one or both coordinates, with the names of the coordinates: r and z, or x and y.
@@ -23,6 +24,7 @@ struct CoordinateFormulas {
     std::array<std::optional<Formula>, 2> by;
     std::array<std::string, 2> names{"x", "y"};
     [[nodiscard]] bool any() const { return by[0] || by[1]; }
+    bool operator==(const CoordinateFormulas&) const = default;
 };
 
 /// A formula that has no value where it is needed.

@@ -25,11 +25,13 @@ struct StepSize {
     std::optional<double> fixed;  ///< [time]; when absent the step is `courant` times the critical step
     double courant = 0.9;         ///< fraction of the critical step, 0 < courant <= 1
     Place place;
+    bool operator==(const StepSize&) const = default;
 };
 
 struct BulkViscosity {
     double linear = 0;     ///< coefficient of rho c h |D|, dimensionless (0.06 is usual)
     double quadratic = 0;  ///< coefficient of rho h^2 D^2, dimensionless (1.2 is usual)
+    bool operator==(const BulkViscosity&) const = default;
 };
 
 /// Yield stress = yield + linear ep + saturation (1 - exp(-rate ep)), ep the equivalent plastic strain
@@ -39,12 +41,14 @@ struct VoceHardening {
     double linear = 0;      ///< slope of the linear part [stress]
     double saturation = 0;  ///< what the exponential part adds in the end [stress]
     double rate = 0;        ///< how fast it does so, per unit of ep, dimensionless
+    bool operator==(const VoceHardening&) const = default;
 };
 
 /// Yield stress linear between points, constant after the last.
 struct TabulatedHardening {
     std::vector<std::pair<double, double>>
         points;  ///< (ep, yield stress): ep rises from 0, yield stress does not fall
+    bool operator==(const TabulatedHardening&) const = default;
 };
 
 /// Johnson & Cook (1983): yield stress = (A + B ep^n) (1 + C ln(rate/reference)) (1 - T*^m) with the
@@ -63,6 +67,7 @@ struct JohnsonCook {
     double initial_temperature = 293;           ///< [temperature]
     std::optional<double> heat_capacity;        ///< absent: no heating [energy/(mass temperature)]
     double heat_fraction = 0.9;                 ///< of the plastic work that becomes heat
+    bool operator==(const JohnsonCook&) const = default;
 };
 
 /// How a material yields; monostate: never. The order is that of PlasticLaw.
@@ -76,20 +81,26 @@ struct Material {
     std::optional<BulkViscosity> viscosity;
     Place place;
     Plasticity plasticity;
+    bool operator==(const Material&) const = default;
 };
 
 /// Shape of a block edge between its two corners.
-struct Straight {};
+struct Straight {
+    bool operator==(const Straight&) const = default;
+};
 struct Arc {
     Vec2 through;  ///< a point of the arc between the corners
+    bool operator==(const Arc&) const = default;
 };
 struct Polyline {
     std::vector<Vec2> points;  ///< inner points, in the direction in which the edge is walked
+    bool operator==(const Polyline&) const = default;
 };
 /// Coordinates by formulas: one as a function of the other, which runs evenly from corner to corner, or both
 /// as functions of s, which runs from 0 to 1. The formulas' ends are the corners.
 struct FormulaSide {
     CoordinateFormulas of;
+    bool operator==(const FormulaSide&) const = default;
 };
 using EdgeShape = std::variant<Straight, Arc, Polyline, FormulaSide>;
 
@@ -109,18 +120,21 @@ struct Block {
     CoordinateFormulas shift;
     std::array<std::string, 4> edge_names;  ///< "" where the side is not named
     Place place;
+    bool operator==(const Block&) const = default;
 };
 
 /// An edge made of connected edges of the body.
 struct Chain {
     std::string name;
     std::vector<std::string> edges;
+    bool operator==(const Chain&) const = default;
 };
 
 /// A value that may vary in time: constant, or linear between points and constant outside them.
 struct TimeFunction {
     std::vector<std::pair<double, double>> points;  ///< (time, value); one point = constant
     [[nodiscard]] double operator()(double time) const;
+    bool operator==(const TimeFunction&) const = default;
 };
 
 enum class Direction { first, second };  ///< r or x; z or y
@@ -130,6 +144,7 @@ struct Constraint {
     std::array<bool, 2> fixed{false, false};   ///< directions held at zero velocity
     std::optional<std::array<double, 4>> box;  ///< only nodes inside {min0, min1, max0, max1}
     Place place;
+    bool operator==(const Constraint&) const = default;
 };
 
 struct PrescribedVelocity {
@@ -141,6 +156,7 @@ struct PrescribedVelocity {
     /// Whether the motion of a step is imposed. @param time of the middle of the step.
     [[nodiscard]] bool acts(double time) const { return from <= time && time < until; }
     Place place;
+    bool operator==(const PrescribedVelocity&) const = default;
 };
 
 struct EdgeLoad {
@@ -148,6 +164,7 @@ struct EdgeLoad {
     std::optional<TimeFunction> pressure;                 ///< follower, positive pushes on the body [stress]
     std::array<std::optional<TimeFunction>, 2> traction;  ///< per reference area, fixed direction [stress]
     Place place;
+    bool operator==(const EdgeLoad&) const = default;
 };
 
 struct Body {
@@ -164,6 +181,7 @@ struct Body {
     std::vector<PrescribedVelocity> prescribed;
     std::vector<EdgeLoad> loads;
     Place place;
+    bool operator==(const Body&) const = default;
 };
 
 /// A rigid half space that does not move; contact pairs name it as their slave.
@@ -172,6 +190,7 @@ struct Wall {
     Vec2 point{0, 0};   ///< of its surface [length]
     Vec2 normal{0, 1};  ///< unit, out of the wall
     Place place;
+    bool operator==(const Wall&) const = default;
 };
 
 /// One side of a contact pair: a named edge of a body, its whole outline when `edge` is empty, or a wall.
@@ -179,6 +198,7 @@ struct SurfaceName {
     std::string body;  ///< or wall
     std::string edge;
     Place place;
+    bool operator==(const SurfaceName&) const = default;
 };
 
 enum class ContactScheme {
@@ -196,12 +216,14 @@ struct ContactPair {
     ContactSign sign = ContactSign::restricted;
     double friction = 0;  ///< Coulomb's coefficient; 0: the pair slides freely
     Place place;
+    bool operator==(const ContactPair&) const = default;
 };
 
 /// How the contact pairs are solved, all of them alike.
 struct ContactSolver {
     ContactScheme scheme = ContactScheme::projection;
     double recovery_speed = 1;  ///< joint: a penetration is taken back no faster than this [velocity]
+    bool operator==(const ContactSolver&) const = default;
 };
 
 struct Probe {
@@ -211,11 +233,13 @@ struct Probe {
     std::vector<std::string>
         record;  ///< e.g. "stress.axial", "von_mises", "velocity.axial", "displacement.radial"
     Place place;
+    bool operator==(const Probe&) const = default;
 };
 
 struct Recording {
     int history_every = 1;         ///< steps between history rows
     std::optional<double> frames;  ///< simulated time between frames [time]; absent: duration / 100
+    bool operator==(const Recording&) const = default;
 };
 
 enum class ForceScale { automatic, fixed, logarithmic };
@@ -237,6 +261,7 @@ struct ViewOptions {
     std::array<int, 2> size{1280, 720};  ///< pixels
     std::vector<std::string> charts;  ///< side charts: "force", "velocity", "energy", or history column names
     double frames_per_second = 25;
+    bool operator==(const ViewOptions&) const = default;
 };
 
 /// A closed-form history to compare with: piecewise linear in time; jumps are two points at one time.
@@ -246,6 +271,7 @@ struct ExactHistory {
     std::vector<std::pair<double, double>> points;  ///< (time, value)
     double window = 0;                              ///< moving-average window of the averaged error [time]
     Place place;
+    bool operator==(const ExactHistory&) const = default;
 };
 
 /// A promise about summary.json: the value at `path` lies in [min, max].
@@ -254,6 +280,7 @@ struct Expectation {
     double min = 0, max = 0;
     std::string why;
     Place place;
+    bool operator==(const Expectation&) const = default;
 };
 
 /// A number by which a scene can be varied; other numbers are expressions of it.
@@ -264,6 +291,7 @@ struct Parameter {
     std::string unit, description;
     std::string expression;  ///< "= 2*shank" when it follows from other parameters, else ""
     Place place;
+    bool operator==(const Parameter&) const = default;
 };
 
 struct Scene {
@@ -295,6 +323,7 @@ struct Scene {
     std::string text;                    ///< the file's text, as read
     std::vector<std::string> overrides;  ///< "key=value", in the order given
     std::vector<std::string> warnings;   ///< "file:line:column: warning: ..."
+    bool operator==(const Scene&) const = default;
 };
 
 /// Whether a contact pair of the scene calls for friction.

@@ -2,6 +2,7 @@
 // elements hold.
 #include <cmath>
 
+#include "engine/run/change_values.hpp"
 #include "verification/run.hpp"
 
 namespace percuss::testing {
@@ -40,9 +41,7 @@ TEST(Ledger, ClosesForEveryElementAndGeometry) {
 TEST(Ledger, ClosesWhileTheStepChanges) {
     RecordedRun run(scene_of(impact("plane strain", "one-point quad")));
     for (int n = 0; !run.solver.finished(); ++n) {
-        StepSize step;
-        step.courant = 0.3 + 0.55 * std::abs(std::sin(0.3 * n));
-        run.solver.set_step(step);
+        change_step(run.solver, 0.3 + 0.55 * std::abs(std::sin(0.3 * n)));
         run.step();
     }
     EXPECT_LT(run.solver.statistics().dt_min, 0.5 * run.solver.statistics().dt_max);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/run/change_values.hpp"
 #include "verification/run.hpp"
 
 namespace percuss::testing {
@@ -20,9 +21,7 @@ TEST(FreeFall, IsTheParabolaToRounding) {
         const std::vector<Node> start(run.solver.nodes().begin(), run.solver.nodes().end());
         // The step changes on the way: positions at t_n must not feel it.
         for (int n = 0; !run.solver.finished(); ++n) {
-            StepSize step;
-            step.courant = n % 7 < 3 ? 0.9 : 0.4;
-            run.solver.set_step(step);
+            change_step(run.solver, n % 7 < 3 ? 0.9 : 0.4);
             run.step();
             const double t = run.solver.time();
             for (std::size_t k = 0; k < start.size(); ++k) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -25,79 +26,183 @@ std::optional<double> number(const std::string& text) {
     return value;
 }
 
-/// The name behind a widget; one that differs from the file can be taken back with the right button.
-void label(Workbench& w, const std::string& key, const std::string& text, const std::string& help) {
-    ImGui::SameLine();
-    const bool changed = w.run.setting(key).has_value();
-    if (changed)
-        ImGui::TextColored(changed_colour, "%s", text.c_str());
+/// A short unit stands with the number, where a long name still has room.
+bool unit_with_number(const DesignValue& value) { return value.unit.size() <= 5; }
+
+/// @param number how to print it
+std::string format_of(const DesignValue& value, std::string number) {
+    if (value.unit.empty() || !unit_with_number(value)) return number;
+    number += " ";
+    for (const char c : value.unit) number += c == '%' ? std::string("%%") : std::string(1, c);
+    return number;
+}
+
+std::string title_of(const DesignValue& value) {
+    return value.unit.empty() || unit_with_number(value) ? value.title
+                                                         : fmt::format("{} [{}]", value.title, value.unit);
+}
+
+std::string help_of(const DesignValue& value) {
+    std::string help = value.help.empty() ? title_of(value) : value.help;
+    if (value.range && value.group == "parameters")
+        help += fmt::format("\n{:g} to {:g} {}", (*value.range)[0], (*value.range)[1], value.unit);
+    if (!value.expression.empty()) return help + "\nFollows from parameters: " + value.expression;
+    if (value.choices.empty())
+        help += value.range ? "\nA double click, or Ctrl and a click: type the value."
+                            : "\nDrag it sideways; a double click, or Ctrl and a click: type the value.";
+    help += value.effect == ChangeEffect::rebuild     ? "\nA change builds the run anew."
+            : value.effect == ChangeEffect::next_step ? "\nA change acts at once, from the next step on."
+                                                      : "\nThe run does not read it.";
+    return help;
+}
+
+/// A dot for what acts at once, a ring for what builds anew.
+void show_mark(ChangeEffect effect) {
+    const float size = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos(), centre{at.x + 0.3F * size, at.y + 0.5F * height};
+    ImDrawList& ink = *ImGui::GetWindowDrawList();
+    if (effect == ChangeEffect::rebuild)
+        ink.AddCircle(centre, 0.2F * size, ImGui::GetColorU32(ImGuiCol_TextDisabled), 0, 0.1F * size);
     else
-        ImGui::TextUnformatted(text.c_str());
-    w.names.name("label." + key);
-    if (changed && ImGui::IsItemClicked(ImGuiMouseButton_Right)) w.run.forget(key);
-    tooltip(changed ? help + "\nChanged; a click with the right button takes the value of the file." : help);
+        ink.AddCircleFilled(centre, 0.24F * size, IM_COL32(0, 158, 115, 255));
+    ImGui::Dummy({0.6F * size, height});
 }
 
-void show_parameter(Workbench& w, const Parameter& parameter) {
-    const std::string key = "parameters." + parameter.name;
-    const std::string name =
-        parameter.unit.empty() ? parameter.name : fmt::format("{} [{}]", parameter.name, parameter.unit);
-    if (!parameter.expression.empty()) return;  // follows from the others
-    double value = parameter.value;
-    if (const auto set = w.run.setting(key)) value = number(*set).value_or(value);
-    const std::string id = "##" + parameter.name;
-    bool changed = false;
-    ImGui::SetNextItemWidth(0.38F * ImGui::GetWindowWidth());
-    std::string help = parameter.description;
-    if (parameter.range) {
-        const auto [low, high] = *parameter.range;
-        const std::string format = fmt::format("%.{}f", decimals_for(high - low));
-        changed = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &low, &high, format.c_str(),
-                                      ImGuiSliderFlags_AlwaysClamp);
-        help +=
-            fmt::format("\n{:g} to {:g} {}; Ctrl and a click: type the value.", low, high, parameter.unit);
+/// The value's name; one that differs from the file has a button that takes it back.
+void show_label(Workbench& w, const DesignValue& value) {
+    ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
+    show_mark(value.effect);
+    ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
+    const bool changed = w.run.setting(value.key).has_value();
+    bool back = false;
+    if (changed) {
+        back = ImGui::SmallButton(fmt::format("\u2190##{}", value.key).c_str());
+        w.names.name("back." + value.key);
+        tooltip("Back to the value of the file.");
+        ImGui::SameLine(0, 0.4F * ImGui::GetFontSize());
+        ImGui::TextColored(changed_colour, "%s", title_of(value).c_str());
     } else {
-        changed = ImGui::InputScalar(id.c_str(), ImGuiDataType_Double, &value, nullptr, nullptr, "%.6g",
-                                     ImGuiInputTextFlags_EnterReturnsTrue);
+        ImGui::TextUnformatted(title_of(value).c_str());
     }
-    w.names.name(key);
-    tooltip(help);
-    if (changed) w.run.set(key, fmt::format("{:.9g}", value));
-    label(w, key, name, help);
+    w.names.name("label." + value.key);
+    back = back || (changed && ImGui::IsItemClicked(ImGuiMouseButton_Right));
+    tooltip(help_of(value));
+    if (back) w.run.forget(value.key);
 }
 
-void show_step_fraction(Workbench& w, const Scene& scene) {
-    if (scene.step.fixed) return;
-    const std::string key = "model.step.courant";
-    double value = scene.step.courant;
-    if (const auto set = w.run.setting(key)) value = number(*set).value_or(value);
-    const double low = 0.05, high = 1;
-    ImGui::SetNextItemWidth(0.38F * ImGui::GetWindowWidth());
-    const bool changed = ImGui::SliderScalar("##courant", ImGuiDataType_Double, &value, &low, &high, "%.2f",
-                                             ImGuiSliderFlags_AlwaysClamp);
-    w.names.name(key);
-    if (changed) w.run.set(key, fmt::format("{:.9g}", value));
-    label(w, key, "step / critical",
-          "Time step as a fraction of the critical one; changes at the next step of the run.");
+/// @returns whether it was changed
+bool show_slider(Workbench& w, const DesignValue& value, const std::string& id, double& number) {
+    if (w.design.typing == value.key) {
+        if (std::exchange(w.design.just_begun, false)) ImGui::SetKeyboardFocusHere();
+        const bool typed = ImGui::InputScalar(
+            (id + ".typed").c_str(), ImGuiDataType_Double, &number, nullptr, nullptr, "%.6g",
+            ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+        if (typed || ImGui::IsItemDeactivated()) w.design.typing.clear();
+        return typed;
+    }
+    const auto [low, high] = *value.range;
+    // A parameter has a range, another value may be typed beyond the ends of its slider.
+    const ImGuiSliderFlags flags = value.group == "parameters" ? ImGuiSliderFlags_AlwaysClamp : 0;
+    const bool moved =
+        ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &number, &low, &high,
+                            format_of(value, fmt::format("%.{}f", decimals_for(high - low))).c_str(), flags);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        w.design.typing = value.key;
+        w.design.just_begun = true;
+        return false;
+    }
+    return moved;
 }
 
-void choose_scheme(Workbench& w, const Scene& scene) {
-    if (scene.contacts.empty()) return;
-    const std::string key = "contact_solver.scheme";
-    const char* present = scene.contact_solver.scheme == ContactScheme::joint ? "joint" : "projection";
-    ImGui::SetNextItemWidth(0.38F * ImGui::GetWindowWidth());
-    const bool open = ImGui::BeginCombo("##scheme", present);
-    w.names.name(key);
-    if (open) {
-        for (const char* scheme : {"projection", "joint"}) {
-            if (ImGui::Selectable(scheme, scheme == std::string_view(present)))
-                w.run.set(key, fmt::format("\"{}\"", scheme));
-            w.names.name(key + "." + scheme);
-        }
-        ImGui::EndCombo();
+bool show_field(const DesignValue& value, const std::string& id, double& number) {
+    const double size = std::abs(number);
+    const auto speed = static_cast<float>(size > 0 ? 0.005 * size : 0.001);
+    const double high = std::numeric_limits<double>::max() / 4, low = std::max(value.least, -high);
+    return ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &number, speed, &low, &high,
+                             format_of(value, "%.5g").c_str(),
+                             value.least > -high ? ImGuiSliderFlags_AlwaysClamp : 0);
+}
+
+void show_number(Workbench& w, const DesignValue& value) {
+    double shown = value.number;
+    if (const auto set = w.run.setting(value.key)) shown = number(*set).value_or(shown);
+    ImGui::SetNextItemWidth(0.36F * ImGui::GetWindowWidth());
+    const std::string id = "##" + value.key;
+    const bool changed = value.range ? show_slider(w, value, id, shown) : show_field(value, id, shown);
+    w.names.name(value.key);
+    tooltip(help_of(value));
+    if (changed) w.run.set(value.key, fmt::format("{:.9g}", shown));
+}
+
+void show_choice(Workbench& w, const DesignValue& value) {
+    std::string chosen = value.choice;
+    if (const auto set = w.run.setting(value.key)) {
+        chosen = *set;
+        std::erase(chosen, '"');
     }
-    label(w, key, "contact",
-          "projection: the paper's, pair by pair. joint: one problem for all pairs that share nodes.");
+    ImGui::SetNextItemWidth(0.36F * ImGui::GetWindowWidth());
+    const bool open = ImGui::BeginCombo(("##" + value.key).c_str(), chosen.c_str());
+    w.names.name(value.key);
+    tooltip(help_of(value));
+    if (!open) return;
+    for (const std::string& choice : value.choices) {
+        if (ImGui::Selectable(choice.c_str(), choice == chosen))
+            w.run.set(value.key, fmt::format("\"{}\"", choice));
+        w.names.name(value.key + "." + choice);
+    }
+    ImGui::EndCombo();
+}
+
+/// What follows from others cannot be moved by itself, but is worth seeing.
+void show_derived(Workbench& w, const DesignValue& value) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled(format_of(value, "%.5g").c_str(), value.number);
+    // Under the names of the others.
+    ImGui::SameLine(0.36F * ImGui::GetWindowWidth() + ImGui::GetStyle().WindowPadding.x +
+                    1.2F * ImGui::GetFontSize());
+    ImGui::TextDisabled("%s", title_of(value).c_str());
+    w.names.name("label." + value.key);
+    tooltip(help_of(value));
+}
+
+void show_value(Workbench& w, const DesignValue& value) {
+    if (!value.expression.empty()) {
+        show_derived(w, value);
+        return;
+    }
+    if (value.choices.empty())
+        show_number(w, value);
+    else
+        show_choice(w, value);
+    show_label(w, value);
+}
+
+void show_group(Workbench& w, const std::string& group, bool derived) {
+    for (const DesignValue& value : w.run.design())
+        if (value.group == group && (derived || value.expression.empty())) show_value(w, value);
+}
+
+void show_legend() {
+    show_mark(ChangeEffect::next_step);
+    ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("acts at once");
+    ImGui::SameLine(0, 1.2F * ImGui::GetFontSize());
+    show_mark(ChangeEffect::rebuild);
+    ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("builds the run anew");
+}
+
+void show_groups(Workbench& w) {
+    std::string last = "parameters";
+    for (const DesignValue& value : w.run.design()) {
+        if (value.group == last || value.group == "run") continue;
+        last = value.group;
+        const bool open = ImGui::TreeNodeEx(last.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen);
+        w.names.name("design." + last);
+        if (open) show_group(w, last, true);
+    }
 }
 
 void show_effects(const Scene& scene) {
@@ -130,23 +235,25 @@ void show_design(Workbench& w) {
     const bool open = ImGui::CollapsingHeader("Design", ImGuiTreeNodeFlags_DefaultOpen);
     w.names.name("header.design");
     if (!open || !w.run.snapshot()) return;
-    const Scene& scene = w.run.snapshot()->setup->scene;
     if (w.run.recorded()) {
-        show_recorded_design(scene);
+        show_recorded_design(w.run.snapshot()->setup->scene);
         return;
     }
-    bool any = false;
-    for (const Parameter& parameter : scene.parameters) {
-        show_parameter(w, parameter);
-        any = any || parameter.expression.empty();
-    }
-    if (!any) ImGui::TextDisabled("the scene has no [parameters]");
-    show_step_fraction(w, scene);
-    choose_scheme(w, scene);
+    const std::vector<DesignValue>& values = w.run.design();
+    if (!values.empty()) show_legend();
+    const bool any = std::any_of(values.begin(), values.end(), [](const DesignValue& value) {
+        return value.group == "parameters" && value.expression.empty();
+    });
+    if (any)
+        show_group(w, "parameters", false);
+    else
+        ImGui::TextDisabled("the scene has no [parameters]");
+    show_group(w, "run", true);
+    show_groups(w);
     command_button(w, "scene.file-values");
     const bool effects = ImGui::CollapsingHeader("Effects that are on");
     w.names.name("header.effects");
-    if (effects) show_effects(scene);
+    if (effects) show_effects(w.run.snapshot()->setup->scene);
 }
 
 }  // namespace percuss::app

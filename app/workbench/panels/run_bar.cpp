@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "effects.hpp"
 #include "figures/ticks.hpp"
 #include "workbench/panels/panel.hpp"
 
@@ -62,6 +63,16 @@ void show_buttons(Workbench& w, const Units& units, double duration) {
     ImGui::TextColored({0.83F, 0.37F, 0, 1}, "building the scene ...");
 }
 
+/// Whether a name begins with one of the words between bars.
+bool is_among(const std::string& name, std::string_view words) {
+    while (!words.empty()) {
+        const std::string_view word = words.substr(0, words.find('|'));
+        if (name.starts_with(word)) return true;
+        words.remove_prefix(std::min(words.size(), word.size() + 1));
+    }
+    return false;
+}
+
 void show_progress(Workbench& w, const Snapshot& now) {
     const Units& units = now.setup->scene.units;
     const double duration = now.setup->scene.duration;
@@ -108,20 +119,43 @@ void show_time_spent(Workbench& w) {
         return;
     }
     w.names.name("header.time-spent");
+    if (!w.run.snapshot()) return;
     const RunStatistics& s = w.run.statistics();
-    const std::pair<const char*, double> parts[] = {{"elements", s.seconds.elements},
-                                                    {"contact search", s.seconds.contact_search},
-                                                    {"contact solve", s.seconds.contact_solve},
-                                                    {"integration", s.seconds.integrate},
-                                                    {"histories", s.seconds.history}};
+    const std::vector<EffectInfo> effects = effects_of(w.run.snapshot()->setup->scene);
+    struct Part {
+        const char* name;
+        double seconds;
+        std::string_view effects;  // beginnings of the names of those that it takes
+        bool always = true;        // else only where it took time
+    };
+    const Part parts[] = {
+        {"elements", s.seconds.elements,
+         "one-point quads|hourglass|mean-dilatation|triangles|averaged|bulk viscosity|plasticity|lagged"},
+        {"contact search", s.seconds.contact_search, ""},
+        {"contact solve", s.seconds.contact_solve, "contact|friction"},
+        {"integration", s.seconds.integrate, "prescribed velocity"},
+        {"critical step", s.seconds.critical_step, ""},
+        {"loads", s.seconds.loads, "body force|pressure", false},
+        {"probes", s.seconds.probes, "probes", false},
+        {"histories", s.seconds.history, ""}};
     double total = 0;
-    for (const auto& [name, seconds] : parts) total += seconds;
-    for (const auto& [name, seconds] : parts) {
-        const double share = total > 0 ? seconds / total : 0;
+    for (const Part& part : parts) total += part.seconds;
+    for (const Part& part : parts) {
+        if (!part.always && part.seconds == 0) continue;
+        const double share = total > 0 ? part.seconds / total : 0;
         ImGui::ProgressBar(static_cast<float>(share), {7 * ImGui::GetFontSize(), 0},
                            fmt::format("{:.1f} %", 100 * share).c_str());
         ImGui::SameLine();
-        ImGui::TextUnformatted(name);
+        ImGui::TextUnformatted(part.name);
+        w.names.name(fmt::format("time-spent.{}", part.name));
+        for (const EffectInfo& effect : effects) {
+            if (!effect.on || !is_among(effect.name, part.effects)) continue;
+            ImGui::Indent();
+            ImGui::TextDisabled("%s", effect.name.c_str());
+            w.names.name("time-spent." + effect.name);
+            tooltip("On, and part of the time above it: " + effect.cost + ".");
+            ImGui::Unindent();
+        }
     }
     if (s.step_seconds > 0)
         ImGui::TextDisabled(

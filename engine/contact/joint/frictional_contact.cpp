@@ -42,6 +42,11 @@ void FrictionalContact::restart(const std::vector<std::vector<std::int32_t>>& ac
     clear_tangents();
 }
 
+void FrictionalContact::change(const std::vector<double>& friction, double recovery_speed) {
+    JointContact::change(friction, recovery_speed);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) pairs_[p].friction = friction[p];
+}
+
 void FrictionalContact::clear_tangents() {
     tangents_.clear();
     grips_.clear();

@@ -31,6 +31,7 @@ class FrictionalContact final : public JointContact {
         *this = dynamic_cast<const FrictionalContact&>(other);
     }
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
+    void change(const std::vector<double>& friction, double recovery_speed) override;
 
   private:
     struct Pair {

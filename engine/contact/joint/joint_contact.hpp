@@ -35,6 +35,9 @@ class JointContact : public ContactMethod {
     }
     void become(const ContactMethod& other) override { *this = dynamic_cast<const JointContact&>(other); }
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
+    void change(const std::vector<double>&, double recovery_speed) override {
+        recovery_speed_ = recovery_speed;
+    }
 
   protected:
     /// Solves for the forces of the chosen rows and puts their impulses on the nodes.

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/run/change_values.hpp"
 #include "engine/scene/small_scene.hpp"
 #include "solver.hpp"
 
@@ -393,11 +394,7 @@ TEST(Engine, TheLastGoodStepIsTheOneThatWasMade) {
     ASSERT_GT(last, 5);
     ASSERT_LT(last, 250) << "before the second copy";
     while (alone.steps() < last) {
-        if (alone.steps() == 5) {
-            StepSize smaller;
-            smaller.courant = 0.3;
-            alone.set_step(smaller);
-        }
+        if (alone.steps() == 5) percuss::testing::change_step(alone, 0.3);
         ASSERT_FALSE(alone.step());
     }
     EXPECT_EQ(engine.statistics().state_hash, alone.statistics().state_hash);

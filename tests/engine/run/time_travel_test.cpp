@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/allocations.hpp"
+#include "engine/run/change_values.hpp"
 #include "engine/scene/small_scene.hpp"
 #include "run/engine.hpp"
 #include "run/state_history.hpp"
@@ -262,13 +263,10 @@ TEST(TimeTravel, StepsAreMadeAgainWithTheSizesThatTheyHad) {
     Engine engine(small());
     Solver alone(small());
     std::vector<std::vector<double>> positions;
-    StepSize size;
-    size.courant = 0.5;
     for (const double courant : {0.5, 0.2, 0.7}) {
         go(engine, command::Set{"model.step.courant", std::to_string(courant)});
         go(engine, command::Steps{45});
-        size.courant = courant;
-        alone.set_step(size);
+        percuss::testing::change_step(alone, courant);
         for (int k = 0; k < 45; ++k) {
             positions.push_back(alone.snapshot()->position);
             ASSERT_FALSE(alone.step());
@@ -303,9 +301,7 @@ TEST(TimeTravel, AStepSetOnTheWayActsFromTheBranchOn) {
     for (int k = 0; k < 70; ++k) ASSERT_FALSE(alone.step());
     EXPECT_EQ(engine.statistics().state_hash, alone.statistics().state_hash);
     go(engine, command::Steps{30});
-    StepSize size;
-    size.courant = 0.25;
-    alone.set_step(size);
+    percuss::testing::change_step(alone, 0.25);
     for (int k = 0; k < 30; ++k) ASSERT_FALSE(alone.step());
     EXPECT_EQ(engine.statistics().state_hash, alone.statistics().state_hash);
 }

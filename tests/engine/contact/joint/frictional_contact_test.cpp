@@ -123,7 +123,7 @@ TEST(FrictionalContact, OnlyPairsThatCallForItHaveFriction) {
 
 TEST(FrictionalContact, IsChosenOnlyWhereAPairCallsForIt) {
     const auto kind = [](const Scene& scene) {
-        const auto method = make_contact_method(scene, build_mesh(scene));
+        const auto method = make_contact_method(scene, build_mesh(scene), scene.contact_solver.scheme);
         return dynamic_cast<FrictionalContact*>(method.get()) != nullptr;
     };
     EXPECT_TRUE(kind(rough_stack(0.2)));
