@@ -117,6 +117,8 @@ void LiveRun::take_over(Built built) {
     retire(std::exchange(engine_, std::move(built.engine)));
     ++builds_;
     warnings_ = std::move(built.warnings);
+    if (file_ != being_built_.file) probes_.clear();
+    for (const Probe& probe : probes_) engine_->post(command::AddProbe{probe});
     file_ = being_built_.file;
     overrides_ = being_built_.overrides;
     settings_ = being_built_.settings;
@@ -129,6 +131,21 @@ void LiveRun::retire(std::unique_ptr<Engine> engine) {
     if (engine)
         retired_.push_back(
             std::async(std::launch::async, [old = std::move(engine)]() mutable { old.reset(); }));
+}
+
+void LiveRun::add_probe(Probe probe) {
+    if (!engine_) return;
+    engine_->post(command::AddProbe{probe});
+    probes_.push_back(std::move(probe));
+}
+
+void LiveRun::remove_probe(const std::string& name) {
+    if (engine_) engine_->post(command::RemoveProbe{name});
+    std::erase_if(probes_, [&](const Probe& probe) { return probe.name == name; });
+}
+
+std::vector<SetProbe> LiveRun::probe_rows() const {
+    return engine_ ? engine_->probes() : std::vector<SetProbe>{};
 }
 
 void LiveRun::run(std::optional<double> until) {
