@@ -8,6 +8,7 @@
 
 #include "workbench/command_table.hpp"
 #include "workbench/panels/panel.hpp"
+#include "workbench/viewport_actions.hpp"
 
 namespace percuss::app {
 namespace {
@@ -40,6 +41,7 @@ void Workbench::frame() {
     if (std::chrono::steady_clock::now() > note_until_) note_.clear();
     run.update();
     if (reference) reference->follow(run.history(), run.snapshot());
+    follow_run(*this);
     obey_keys(*this);
 
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -56,6 +58,7 @@ void Workbench::frame() {
         {
             const Panel panel("settings", {0, top, left, height});
             show_view_settings(*this);
+            show_probes(*this);
             show_design(*this);
             show_reference(*this);
             show_time_spent(*this);
@@ -73,7 +76,7 @@ void Workbench::frame() {
 
 bool Workbench::at_rest() const {
     return run.status() != RunStatus::running && !run.building() && !viewport.dirty &&
-           viewport.drawn == run.snapshot();
+           viewport.drawn == run.snapshot() && !marks.clicked;
 }
 
 void Workbench::tell(std::string words) {

@@ -15,6 +15,7 @@
 #include "ui/screen.hpp"
 #include "view/live_view.hpp"
 #include "view/pick.hpp"
+#include "workbench/viewport_marks.hpp"
 #include "workbench/widget_names.hpp"
 
 namespace percuss::app {
@@ -47,6 +48,7 @@ struct PlotsState {
     Curves curves;
     std::vector<PlotInfo> plots;
     std::vector<HistoryColumn> columns;  // that `plots` is for
+    int probe_changes = 0;               // likewise: ViewportMarks::probe_changes
     std::set<std::string> toggled;       // "PLOT/LABEL" of curves whose visibility differs from the first one
     std::set<std::string> folded;        // names of plots that are closed
     std::optional<std::array<double, 2>> time;  ///< shown, [time]; absent: all
@@ -79,6 +81,7 @@ class Workbench {
     LiveRun run;
     render::Screen& screen;
     ViewportState viewport;
+    ViewportMarks marks;
     PlotsState plots;
     std::optional<Reference> reference;  ///< the run that the present one is compared with
     WidgetNames names;

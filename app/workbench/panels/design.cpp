@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "effects.hpp"
+#include "workbench/glossary.hpp"
 #include "workbench/panels/panel.hpp"
 
 namespace percuss::app {
@@ -78,7 +79,7 @@ void show_step_fraction(Workbench& w, const Scene& scene) {
     w.names.name(key);
     if (changed) w.run.set(key, fmt::format("{:.9g}", value));
     label(w, key, "step / critical",
-          "Time step as a fraction of the critical one; changes at the next step of the run.");
+          "Changes at the next step of the run.\n" + explain("Courant, critical step"));
 }
 
 void choose_scheme(Workbench& w, const Scene& scene) {
@@ -96,15 +97,14 @@ void choose_scheme(Workbench& w, const Scene& scene) {
         }
         ImGui::EndCombo();
     }
-    label(w, key, "contact",
-          "projection: the paper's, pair by pair. joint: one problem for all pairs that share nodes.");
+    label(w, key, "contact", explain("projection, joint"));
 }
 
 void show_effects(const Scene& scene) {
     for (const EffectInfo& effect : effects_of(scene)) {
         if (!effect.on) continue;
         ImGui::BulletText("%s", effect.name.c_str());
-        tooltip(effect.cost);
+        explain_tooltip(effect.name, "Costs " + effect.cost + ".");
     }
 }
 

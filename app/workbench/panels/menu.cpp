@@ -30,7 +30,7 @@ void show_menu(Workbench& workbench) {
     if (!ImGui::BeginMainMenuBar()) return;
     menu(workbench, "Scene", {"scene.", "reference.", "quit"});
     menu(workbench, "Run", {"run."});
-    menu(workbench, "View", {"view.", "plots."});
+    menu(workbench, "View", {"view.", "probe.", "plots."});
     menu(workbench, "Window", {"panels.", "window."});
     menu(workbench, "Help", {"help"});
     std::string right = workbench.note();

@@ -10,6 +10,7 @@ namespace percuss::app {
 void show_reference(Workbench& w) {
     const bool open = ImGui::CollapsingHeader("Reference");
     w.names.name("header.reference");
+    explain_tooltip("reference");
     if (!open || !w.run.snapshot()) return;
     command_box(w, "reference.toggle");
     if (!w.reference) return;
@@ -33,6 +34,7 @@ void show_reference(Workbench& w) {
               std::isfinite(change) ? fmt::format("{:+.{}f}", change, std::abs(change) < 10 ? 1 : 0) : std::string()}) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(text.c_str());
+            if (text == peak.label) explain_tooltip(text);
         }
     }
     ImGui::EndTable();

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "figures/ticks.hpp"
+#include "workbench/glossary.hpp"
 #include "workbench/panels/panel.hpp"
 
 namespace percuss::app {
@@ -79,7 +80,8 @@ void show_progress(Workbench& w, const Snapshot& now) {
     ImGui::TextUnformatted(facts.c_str());
     tooltip(
         "Number and size of the last step, its fraction of the critical one, and how fast the run goes: "
-        "simulated time and steps for each second of yours.");
+        "simulated time and steps for each second of yours.\n" +
+        explain("time step, critical"));
 }
 
 }  // namespace
@@ -115,6 +117,7 @@ void show_time_spent(Workbench& w) {
                            fmt::format("{:.1f} %", 100 * share).c_str());
         ImGui::SameLine();
         ImGui::TextUnformatted(name);
+        explain_tooltip(name);
     }
     if (s.step_seconds > 0)
         ImGui::TextDisabled(
