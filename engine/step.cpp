@@ -56,13 +56,10 @@ std::optional<Divergence> Solver::step() {
 void Solver::read_probes() {
     for (std::size_t k = 0; k < probes_.size(); ++k) {
         const ProbeReading& probe = probes_[k];
-        if (probe.cell >= 0) {
-            const Batch& batch = batches_[static_cast<std::size_t>(probe.body)];
-            probe_values_[k] =
-                probe.field.of_cell(cell_values(batch, state_.nodes.data(), probe.cell - batch.cell_begin));
-        } else {
+        if (probe.cell >= 0)
+            probe_values_[k] = read_cell(probe, batches_, state_.nodes.data());
+        else
             probe_nodes_[k] = state_.nodes[static_cast<std::size_t>(probe.node)];
-        }
     }
 }
 
@@ -612,6 +609,7 @@ void Solver::fill_history_row() {
         put(pair.state.force[second]);
         put(pair.state.active);
         put(pair.state.penetration);
+        put(static_cast<double>(statistics_.pairs[p].openings + statistics_.pairs[p].closings));
         if (setup_->scene.contacts[p].friction > 0) {
             put(pair.state.friction[first]);
             put(pair.state.friction[second]);
@@ -634,14 +632,9 @@ void Solver::fill_history_row() {
     put(state_.critical_step);
     for (std::size_t k = 0; k < probes_.size(); ++k) {
         const ProbeReading& probe = probes_[k];
-        if (probe.cell >= 0) {
-            put(probe_values_[k]);
-            continue;
-        }
-        const auto n = static_cast<std::size_t>(probe.node);
-        const Node &before = probe_nodes_[k], &after = state_.nodes[n];
-        const double velocity[2] = {0.5 * (before.v[0] + after.v[0]), 0.5 * (before.v[1] + after.v[1])};
-        put(probe.field.of_node(before.x, velocity, setup_->mesh.nodes[n].data()));
+        put(probe.cell >= 0 ? probe_values_[k]
+                            : read_node(probe, probe_nodes_[k],
+                                        state_.nodes[static_cast<std::size_t>(probe.node)], setup_->mesh));
     }
 }
 

@@ -42,6 +42,10 @@ std::vector<PlotInfo> plots_of(const Scene& scene, const std::vector<HistoryColu
             by_direction(friction ? "friction" : "forces", friction ? "friction force" : "contact force",
                          quantity, direction)
                 .curves.push_back({i, pair});
+        } else if (name.starts_with("contact.") && name.ends_with(".changes")) {
+            PlotInfo& made = plot("events", "open/close events", quantity);
+            made.rate = true;
+            made.curves.push_back({i, parts_of(name, "contact.")[0]});
         } else if (name.starts_with("body.") && quantity == Quantity::velocity) {
             const auto [body, what] = parts_of(name, "body.");
             by_direction("velocities", "mean velocity", quantity, what.substr(what.rfind('.') + 1))
@@ -65,22 +69,35 @@ std::vector<PlotInfo> plots_of(const Scene& scene, const std::vector<HistoryColu
     return plots;
 }
 
-void Curves::follow(std::shared_ptr<const History> history) {
+void Curves::follow(std::shared_ptr<const History> history, std::vector<double> past) {
     if (history != history_) {
         history_ = std::move(history);
+        past_ = std::move(past);
+        past_rows_ = history_ ? past_.size() / history_->columns().size() : 0;
         times_ = {};
         columns_.clear();
+        times_.append(past_column(0));
     }
     if (!history_) return;
-    const std::size_t before = times_.size(), now = history_->rows();
+    const std::size_t before = times_.size() - past_rows_, now = history_->rows();
     if (now == before) return;
     times_.append(history_->values(0, before, now));
     for (auto& [index, column] : columns_) column.append(history_->values(index, before, now));
 }
 
+std::vector<double> Curves::past_column(std::size_t index) const {
+    std::vector<double> column;
+    for (std::size_t row = 0; row < past_rows_; ++row)
+        column.push_back(past_[row * history_->columns().size() + index]);
+    return column;
+}
+
 const MinMaxPyramid& Curves::column(std::size_t index) {
     const auto [place, fresh] = columns_.try_emplace(index);
-    if (fresh && history_) place->second.append(history_->values(index, 0, times_.size()));
+    if (fresh && history_) {
+        place->second.append(past_column(index));
+        place->second.append(history_->values(index, 0, times_.size() - past_rows_));
+    }
     return place->second;
 }
 
@@ -126,6 +143,34 @@ void decimate(const Curves& curves, const MinMaxPyramid& values, double from, do
         }
     }
     if (end < curves.rows()) add(end);
+}
+
+double rate_at(const Curves& curves, const MinMaxPyramid& counts, double time, double window) {
+    const std::size_t rows = curves.rows();
+    if (rows == 0) return 0;
+    const double begin = curves.times()[0], end = curves.times()[rows - 1];
+    const double from = std::max(time - 0.5 * window, begin), to = std::min(time + 0.5 * window, end);
+    if (!(from < to)) return 0;
+    // A window belongs to the steps that begin in it: [from, to), but with the last step of all.
+    const auto before = [&](double t) {
+        const std::size_t row = t >= end - 1e-9 * window ? rows : curves.row_at(t);
+        return row == 0 ? 0 : counts[row - 1];
+    };
+    return (before(to) - before(from)) / (to - from);
+}
+
+void rates(const Curves& curves, const MinMaxPyramid& counts, double from, double to, int parts,
+           double window, std::vector<CurvePoint>& points) {
+    points.clear();
+    const std::size_t rows = curves.rows();
+    if (rows < 2 || !(from < to)) return;
+    const double part = (to - from) / parts, wide = std::max(window, part);
+    const double begin = curves.times()[0], end = curves.times()[rows - 1];
+    for (int k = 0; k < parts; ++k) {
+        const double time = from + (k + 0.5) * part;
+        if (time + 0.5 * part < begin || time - 0.5 * part > end) continue;
+        points.push_back({time, rate_at(curves, counts, time, wide)});
+    }
 }
 
 }  // namespace percuss::app

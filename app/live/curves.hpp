@@ -12,11 +12,14 @@
 
 namespace percuss::app {
 
+class Curves;
+
 /// A curve of a plot: a column of the history under a short name.
 struct CurveInfo {
     std::size_t column = 0;
-    std::string label;  ///< "piston-nail", "washer", "kinetic"
-    bool shown = true;  ///< when the plot is first drawn
+    std::string label;                 ///< "piston-nail", "washer", "kinetic"
+    bool shown = true;                 ///< when the plot is first drawn
+    std::shared_ptr<Curves> own = {};  ///< whose column it is; null: of the run's history
 };
 
 struct PlotInfo {
@@ -26,6 +29,9 @@ struct PlotInfo {
     Quantity quantity = Quantity::dimensionless;
     std::vector<CurveInfo> curves;
     bool folded = false;  ///< when the plots are first drawn
+    /// The columns count events: what is drawn is how many come in a unit of time (rate_at). The quantity
+    /// says nothing then.
+    bool rate = false;
 };
 
 /// The plots that a scene's histories give: contact forces and velocities by direction, energies, step, and
@@ -36,7 +42,8 @@ struct PlotInfo {
 class Curves {
   public:
     /// Takes what was appended since the last call; another history begins anew.
-    void follow(std::shared_ptr<const History> history);
+    /// @param past then stands before its rows: rows of as many numbers as it has columns, in one sequence.
+    void follow(std::shared_ptr<const History> history, std::vector<double> past = {});
     [[nodiscard]] std::size_t rows() const { return times_.size(); }
     [[nodiscard]] const MinMaxPyramid& times() const { return times_; }
     /// Valid until the next follow().
@@ -45,7 +52,11 @@ class Curves {
     [[nodiscard]] std::size_t row_at(double time) const;
 
   private:
+    [[nodiscard]] std::vector<double> past_column(std::size_t index) const;
+
     std::shared_ptr<const History> history_;
+    std::vector<double> past_;
+    std::size_t past_rows_ = 0;
     MinMaxPyramid times_;
     std::map<std::size_t, MinMaxPyramid> columns_;
 };
@@ -58,5 +69,13 @@ struct CurvePoint {
 /// beyond either end is kept, so that lines reach the edges.
 void decimate(const Curves& curves, const MinMaxPyramid& values, double from, double to, int parts,
               std::vector<CurvePoint>& points);
+
+/// How many events come in a unit of time: the mean over `window` about `time`, cut at the ends of the curve
+/// [1/time]. @param counts of all events so far, by row; the run begins with none.
+[[nodiscard]] double rate_at(const Curves& curves, const MinMaxPyramid& counts, double time, double window);
+/// What a plot of [from, to] draws of it: one point in each of `parts` equal spans of time. The window is at
+/// least as wide as those, so that no event falls between two points.
+void rates(const Curves& curves, const MinMaxPyramid& counts, double from, double to, int parts,
+           double window, std::vector<CurvePoint>& points);
 
 }  // namespace percuss::app

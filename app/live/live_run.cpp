@@ -154,6 +154,7 @@ void LiveRun::take_over(Built built) {
     if (refused_) return;
     read_at_ = tried_at_;
     warnings_ = std::move(built.warnings);
+    if (file_ != being_built_.file) probes_.clear();
     file_ = being_built_.file;
     overrides_ = being_built_.overrides;
     settings_ = being_built_.settings;
@@ -183,6 +184,7 @@ void LiveRun::take_over(Built built) {
         return;
     }
     if (wanted_speed_) engine_->post(command::SetSpeed{wanted_speed_});
+    for (const Probe& probe : probes_) engine_->post(command::AddProbe{probe});
     if (being_built_.start) engine_->post(command::Run{});
 }
 

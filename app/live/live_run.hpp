@@ -49,6 +49,15 @@ class LiveRun {
     /// The value set for a key, if any.
     [[nodiscard]] std::optional<std::string> setting(const std::string& key) const;
 
+    /// Reads quantities at a place from now on (command::AddProbe). Runs that replace this one of the same
+    /// file read it, too, from their start.
+    void add_probe(Probe probe);
+    void remove_probe(const std::string& name);
+    /// Those that were added, in this order.
+    [[nodiscard]] const std::vector<Probe>& probes() const { return probes_; }
+    /// What they have read; one that was added just now may be missing.
+    [[nodiscard]] std::vector<SetProbe> probe_rows() const;
+
     // Run control; nothing happens while nothing is there. What goes on goes on from the newest moment, never
     // from one that is looked back at. A recorded run goes to the moment asked for instead.
     void run(std::optional<double> until = std::nullopt);  ///< after the end: from the beginning
@@ -171,6 +180,7 @@ class LiveRun {
     std::filesystem::path file_;
     std::vector<std::string> overrides_;           // of the command line
     std::map<std::string, std::string> settings_;  // made in the window
+    std::vector<Probe> probes_;                    // likewise
     std::filesystem::file_time_type read_at_{};    // time of the file shown, when it was read
     std::filesystem::file_time_type tried_at_{};   // likewise of the last file that was tried
     bool refused_ = false;                         // the last request

@@ -42,6 +42,7 @@ std::vector<PeakDifference> peak_differences(const std::vector<PlotInfo>& plots,
         if (plot.folded || (plot.quantity != Quantity::force && plot.quantity != Quantity::velocity))
             continue;
         for (const CurveInfo& curve : plot.curves) {
+            if (curve.own) continue;  // a probe of the window: the reference did not read it
             const auto other = reference.column(columns[curve.column].name);
             if (!other) continue;
             found.push_back({curve.label, plot.quantity,

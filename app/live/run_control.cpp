@@ -1,4 +1,4 @@
-// What a LiveRun does with the run that is there: run control and time travel.
+// What a LiveRun does with the run that is there: run control, probes and time travel.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -11,6 +11,21 @@ namespace {
 constexpr double seconds_to_play_a_run = 10;
 
 }  // namespace
+
+void LiveRun::add_probe(Probe probe) {
+    if (!engine_) return;
+    engine_->post(command::AddProbe{probe});
+    probes_.push_back(std::move(probe));
+}
+
+void LiveRun::remove_probe(const std::string& name) {
+    if (engine_) engine_->post(command::RemoveProbe{name});
+    std::erase_if(probes_, [&](const Probe& probe) { return probe.name == name; });
+}
+
+std::vector<SetProbe> LiveRun::probe_rows() const {
+    return engine_ ? engine_->probes() : std::vector<SetProbe>{};
+}
 
 void LiveRun::run(std::optional<double> until) {
     if (recording_ && until) look_at(*until);

@@ -6,8 +6,10 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include "ui/input.hpp"
+#include "workbench/viewport_actions.hpp"
 #include "workbench/workbench.hpp"
 
 namespace percuss::app {
@@ -53,6 +55,7 @@ void toggle_reference(Workbench& w) {
 }
 
 void frame_model(Workbench& w, Framing framing) {
+    stop_following(w);
     w.viewport.framing = framing;
     w.viewport.camera.reset();
     w.viewport.dirty = true;
@@ -77,6 +80,35 @@ void frame_failure(Workbench& w) {
     w.viewport.camera = w.viewport.view->around({box[0] - room, box[1] - room, box[2] + room, box[3] + room});
     w.viewport.framing = Framing::chosen;
     w.viewport.dirty = true;
+}
+
+/// What is under the mouse, told when there is nothing.
+bool points_at_body(Workbench& w) {
+    if (w.viewport.hovered.body >= 0) return true;
+    w.tell("rest the mouse on a body in the picture first");
+    return false;
+}
+
+void probe_here(Workbench& w) {
+    if (points_at_body(w)) add_probe_at(w, w.viewport.hovered, w.viewport.options.field);
+}
+
+void toggle_follow(Workbench& w) {
+    if (w.marks.followed)
+        stop_following(w);
+    else if (points_at_body(w))
+        follow_node(w, w.viewport.hovered.node);
+}
+
+void toggle_pairs(Workbench& w) {
+    using Pairs = ViewportMarks::Pairs;
+    w.marks.pairs = w.marks.pairs == Pairs::none ? Pairs::all : Pairs::none;
+}
+
+void copy_probes(Workbench& w) {
+    const std::string text = probes_as_scene_text(w.run.probes());
+    if (!text.empty()) ImGui::SetClipboardText(text.c_str());
+    w.tell(text.empty() ? "no probe has been put here" : "the probes are on the clipboard");
 }
 
 void zoom_text(Workbench& w, double factor) {
@@ -159,6 +191,20 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
          toggle_option<&ViewOptions::velocities>, option_on<&ViewOptions::velocities>},
         {"view.mirror", "Both halves", "M", "Draws the mirror image at the other side of the axis, too.",
          toggle_option<&ViewOptions::mirror>, option_on<&ViewOptions::mirror>},
+        {"view.pairs", "Contact surfaces", "S",
+         "Marks master nodes and slave sides of the contact pairs; the list beside it chooses one pair.",
+         toggle_pairs, [](const Workbench& w) { return w.marks.pairs != ViewportMarks::Pairs::none; }},
+        {"view.follow", "Follow a node", "N",
+         "The picture moves with the node under the mouse, until this is done again.", toggle_follow,
+         [](const Workbench& w) { return w.marks.followed.has_value(); }},
+        {"probe.here", "Probe here", "P",
+         "Reads the field shown at the place under the mouse: a curve, at each step from now on.",
+         probe_here},
+        {"probe.clear", "Remove probes", "", "Removes all probes that were put in this window.",
+         remove_all_probes},
+        {"probe.copy", "Copy probes", "",
+         "Copies the probes of this window as [[probe]] tables of a scene file to the clipboard.",
+         copy_probes},
         {"plots.all", "Plots: all times", "A", "Takes back the zoom of the plots' time axis.",
          [](Workbench& w) { w.plots.time.reset(); }},
         {"export.panel", "Export panel", "Ctrl+E",

@@ -9,7 +9,7 @@ bool shown(const PlotsState& state, const PlotInfo& plot, const CurveInfo& curve
 }
 
 std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo& curve) {
-    if (!w.reference || w.reference->history == w.run.history()) return std::nullopt;
+    if (!w.reference || curve.own || w.reference->history == w.run.history()) return std::nullopt;
     return w.reference->column(w.plots.columns[curve.column].name);
 }
 
@@ -21,6 +21,18 @@ std::array<double, 2> shown_times(const Workbench& w) {
     if (w.reference && w.reference->curves.rows() > 0)
         last = std::max(last, w.reference->curves.times()[w.reference->curves.rows() - 1]);
     return {0, std::max(last, 0.02 * duration)};
+}
+
+double rate_window(const Workbench& w) {
+    const Scene& scene = w.run.snapshot()->setup->scene;
+    return 1 / scene.units.display(Quantity::time, scene.duration).scale;
+}
+
+DisplayUnit unit_of(const Workbench& w, const PlotInfo& plot, double largest) {
+    const Scene& scene = w.run.snapshot()->setup->scene;
+    if (!plot.rate) return scene.units.display(plot.quantity, largest);
+    const DisplayUnit time = scene.units.display(Quantity::time, scene.duration);
+    return {1 / time.scale, "1/" + time.label};
 }
 
 }  // namespace percuss::app

@@ -14,5 +14,9 @@ namespace percuss::app {
 [[nodiscard]] std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo& curve);
 /// From, to: as zoomed, else all that the runs have [time].
 [[nodiscard]] std::array<double, 2> shown_times(const Workbench& w);
+/// Events are counted over at least this long: one of the units that times are shown in [time].
+[[nodiscard]] double rate_window(const Workbench& w);
+/// In which a plot's numbers read best; a rate is per unit of the time axis.
+[[nodiscard]] DisplayUnit unit_of(const Workbench& w, const PlotInfo& plot, double largest);
 
 }  // namespace percuss::app

@@ -61,6 +61,27 @@ constexpr NamedValue always[] = {
     {"edges", [](const Workbench& w) -> Value { return flag(w.viewport.options.edges); }},
     {"forces", [](const Workbench& w) -> Value { return flag(w.viewport.options.forces); }},
     {"velocities", [](const Workbench& w) -> Value { return flag(w.viewport.options.velocities); }},
+    {"probes", [](const Workbench& w) -> Value { return static_cast<double>(w.run.probes().size()); }},
+    {"probe.rows",
+     [](const Workbench& w) -> Value {
+         const auto& probes = w.marks.probes.all();
+         return probes.empty() ? 0.0 : static_cast<double>(probes.back().curves->rows());
+     }},
+    {"following", [](const Workbench& w) -> Value { return flag(w.marks.followed.has_value()); }},
+    {"pairs.marked",
+     [](const Workbench& w) -> Value {
+         const ViewportMarks& m = w.marks;
+         if (m.hovered_pair || m.pairs == ViewportMarks::Pairs::one)
+             return w.run.snapshot()->setup->scene.contacts[m.hovered_pair.value_or(m.pair)].name;
+         return std::string(m.pairs == ViewportMarks::Pairs::all ? "all" : "none");
+     }},
+    {"arrows",
+     [](const Workbench& w) -> Value {
+         const ForceScale scale = w.viewport.options.force_scale;
+         return std::string(scale == ForceScale::automatic ? "automatic"
+                            : scale == ForceScale::fixed   ? "fixed"
+                                                           : "logarithmic");
+     }},
     {"mirror", [](const Workbench& w) -> Value { return flag(w.viewport.options.mirror); }},
     {"colours", [](const Workbench& w) -> Value { return w.viewport.options.colour_map; }},
 };
@@ -89,6 +110,9 @@ constexpr NamedValue of_view[] = {
     {"zoom", [](const Workbench& w) -> Value { return w.viewport.view->fit().pixels_per_unit; }},
     {"range.low", [](const Workbench& w) -> Value { return w.viewport.view->range()[0]; }},
     {"range.high", [](const Workbench& w) -> Value { return w.viewport.view->range()[1]; }},
+    {"arrows.reference", [](const Workbench& w) -> Value { return w.viewport.view->force_reference(); }},
+    {"centre.x", [](const Workbench& w) -> Value { return w.viewport.view->camera().centre[0]; }},
+    {"centre.y", [](const Workbench& w) -> Value { return w.viewport.view->camera().centre[1]; }},
     {"hovered",
      [](const Workbench& w) -> Value {
          const auto body = w.viewport.hovered.body;
@@ -131,9 +155,9 @@ std::vector<std::string> Workbench::value_names() {
     for (const NamedValue& value : always) names.emplace_back(value.name);
     for (const NamedValue& value : of_scene) names.emplace_back(value.name);
     for (const NamedValue& value : of_view) names.emplace_back(value.name);
-    names.insert(names.end(), {"ghost.time", "reference.time", "branch.from", "branch.to", "plots.from",
-                               "plots.to", "rebuild.seconds", "parameters.NAME",
-                               "KEY of a value in the design panel"});
+    names.insert(names.end(),
+                 {"ghost.time", "reference.time", "branch.from", "branch.to", "plots.from", "plots.to",
+                  "rebuild.seconds", "parameters.NAME", "KEY of a value in the design panel"});
     return names;
 }
 

@@ -9,6 +9,7 @@
 
 #include "view/outline.hpp"
 #include "workbench/panels/panel.hpp"
+#include "workbench/viewport_actions.hpp"
 
 namespace percuss::app {
 namespace {
@@ -98,6 +99,7 @@ void paint_beneath(const Workbench& w, const render::LiveView& view,
 
 void paint_above(const Workbench& w, const render::LiveView& view,
                  const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas) {
+    paint_marks(w, view, *shown, scale, canvas);
     write_time(view, *shown, scale, canvas);
     write_outlines(w, view, shown, scale, canvas);
 }

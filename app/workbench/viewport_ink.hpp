@@ -13,7 +13,7 @@ namespace percuss::app {
 /// Outlines of the reference and of the design before, and a failed element, under arrows and labels.
 void paint_beneath(const Workbench& w, const render::LiveView& view,
                    const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas);
-/// The time, in the upper right corner; in the left one whose outlines they are.
+/// Contact surfaces and probes; the time, in the upper right corner; in the left one whose outlines they are.
 void paint_above(const Workbench& w, const render::LiveView& view,
                  const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas);
 

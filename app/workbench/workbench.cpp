@@ -9,6 +9,7 @@
 
 #include "workbench/command_table.hpp"
 #include "workbench/panels/panel.hpp"
+#include "workbench/viewport_actions.hpp"
 
 namespace percuss::app {
 namespace {
@@ -33,7 +34,7 @@ void watch_file(Workbench& w) {
 }
 
 /// Takes over what the run has come to, and what is shown beside it.
-void follow_run(Workbench& w) {
+void update_run(Workbench& w) {
     const auto shown = w.run.snapshot();
     const auto history = w.run.history();
     const auto file = w.run.file();
@@ -80,8 +81,9 @@ void Workbench::frame() {
     for (const std::filesystem::path& file : screen.take_dropped_files()) open(file);
     watch_file(*this);
     if (std::chrono::steady_clock::now() > note_until_) note_.clear();
-    follow_run(*this);
+    update_run(*this);
     follow_scene(*this);
+    follow_run(*this);
     obey_keys(*this);
 
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -101,6 +103,7 @@ void Workbench::frame() {
             const Panel panel("settings", {0, top, left, height});
             follow_sections(*this);
             show_view_settings(*this);
+            show_probes(*this);
             show_design(*this);
             show_reference(*this);
             show_export(*this);
@@ -126,8 +129,8 @@ void Workbench::frame() {
 
 bool Workbench::at_rest() const {
     return run.status() != RunStatus::running && !run.playing() && !run.reading() && !run.building() &&
-           !exports.busy() && !(pick_scene && thumbnails.busy()) && !viewport.dirty && !run.branch_asked() &&
-           viewport.drawn == run.snapshot();
+           !exports.busy() && !(pick_scene && thumbnails.busy()) && !viewport.dirty && !marks.clicked &&
+           !run.branch_asked() && viewport.drawn == run.snapshot();
 }
 
 void Workbench::tell(std::string words) {

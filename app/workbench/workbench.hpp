@@ -22,6 +22,7 @@
 #include "workbench/thumbnails/thumbnails.hpp"
 #include "workbench/timeline_state.hpp"
 #include "workbench/timing.hpp"
+#include "workbench/viewport_marks.hpp"
 #include "workbench/widget_names.hpp"
 
 namespace percuss::app {
@@ -55,6 +56,7 @@ struct PlotsState {
     Curves curves;
     std::vector<PlotInfo> plots;
     std::vector<HistoryColumn> columns;  // that `plots` is for
+    int probe_changes = 0;               // likewise: ViewportMarks::probe_changes
     std::set<std::string> toggled;       // "PLOT/LABEL" of curves whose visibility differs from the first one
     std::set<std::string> folded;        // names of plots that are closed
     std::optional<std::array<double, 2>> time;  ///< shown, [time]; absent: all
@@ -90,6 +92,7 @@ class Workbench {
     LiveRun run;
     render::Screen& screen;
     ViewportState viewport;
+    ViewportMarks marks;
     PlotsState plots;
     Exports exports;
     WindowLayout layout;

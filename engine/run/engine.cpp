@@ -92,6 +92,11 @@ std::vector<Trace> Engine::traces() const {
     return impl_->traces;
 }
 
+std::vector<SetProbe> Engine::probes() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->probes;
+}
+
 RunStatistics Engine::statistics() const {
     const std::lock_guard lock(impl_->mutex);
     return impl_->statistics;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "run/history.hpp"
+#include "run/probe_recorder.hpp"
 #include "run/snapshot.hpp"
 #include "run/statistics.hpp"
 #include "run/timeline.hpp"
@@ -54,10 +55,19 @@ struct Change {
 struct SetSpeed {
     std::optional<double> speed;
 };
+/// Reads quantities at a place of a body from the next step on, a row a step, until it is removed. A reset
+/// takes it along. One that the scene has no place or quantity for gives a message.
+struct AddProbe {
+    Probe probe;
+};
+struct RemoveProbe {
+    std::string name;
+};
 struct Stop {};  ///< ends the thread
 }  // namespace command
 using Command = std::variant<command::Run, command::Pause, command::Steps, command::Reset, command::Seek,
-                             command::Set, command::Change, command::SetSpeed, command::Stop>;
+                             command::Set, command::Change, command::SetSpeed, command::AddProbe,
+                             command::RemoveProbe, command::Stop>;
 
 struct EngineOptions {
     int threads = 1;
@@ -100,6 +110,8 @@ class Engine {
     [[nodiscard]] std::shared_ptr<const History> history() const;
     /// What the scene's figures sample in the present run; their rows are append-only, too.
     [[nodiscard]] std::vector<Trace> traces() const;
+    /// The probes of AddProbe in the present run; their rows are append-only, too.
+    [[nodiscard]] std::vector<SetProbe> probes() const;
     /// The scene with all that was set, newer than that of a snapshot's set-up, where what the run does not
     /// read stays as it was when the run began.
     [[nodiscard]] std::shared_ptr<const Scene> scene() const;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "run/engine_thread.hpp"
@@ -84,12 +85,26 @@ void Engine::Impl::change(Scene changed, bool harmless) {
             run->change(in_flight(changed));
             break;
         case ChangeEffect::rebuild:
-            run = make_run(changed);
+            replace_run(changed);
             take_over(std::move(changed));
             begin_run();
             return;
     }
     take_over(std::move(changed));
+}
+
+void Engine::Impl::add_probe(const Probe& probe) {
+    try {
+        run->probes().add(*solver().setup(), probe);
+    } catch (const std::invalid_argument& error) {
+        say(error.what());
+    }
+}
+
+void Engine::Impl::replace_run(const Scene& of) {
+    const std::vector<SetProbe> set_probes = run->probes().probes();
+    run = make_run(of);
+    for (const SetProbe& set_probe : set_probes) add_probe(set_probe.probe);
 }
 
 void Engine::Impl::set_speed(std::optional<double> wanted) {
@@ -150,7 +165,7 @@ void Engine::Impl::obey(const Command& command) {
                        publish(true);
                    },
                    [&](const command::Reset&) {
-                       run = make_run(scene);
+                       replace_run(scene);
                        begin_run();
                    },
                    [&](const command::Seek& where) { seek(where.time); },
@@ -163,6 +178,14 @@ void Engine::Impl::obey(const Command& command) {
                        }
                    },
                    [&](const command::SetSpeed& what) { set_speed(what.speed); },
+                   [&](const command::AddProbe& what) {
+                       add_probe(what.probe);
+                       publish(state != RunStatus::running);
+                   },
+                   [&](const command::RemoveProbe& what) {
+                       run->probes().remove(what.name);
+                       publish(state != RunStatus::running);
+                   },
                    [&](const command::Stop&) {
                        if (state == RunStatus::running) state = RunStatus::paused;
                        publish(true);

@@ -57,6 +57,7 @@ void Engine::Impl::publish(bool complete) {
     published = std::move(snapshot);
     history = run->record().history();
     traces = run->record().traces();
+    probes = run->probes().probes();
     states = run->states();
     scrub_frames = kept_frames;
     end = run->end();

@@ -48,6 +48,7 @@ struct Engine::Impl {
     std::shared_ptr<const Snapshot> published;
     std::shared_ptr<const History> history;
     std::vector<Trace> traces;
+    std::vector<SetProbe> probes;
     std::shared_ptr<const Scene> scene_as_set;
     std::shared_ptr<const StateHistory> states;
     std::shared_ptr<const FrameHistory> scrub_frames;
@@ -92,6 +93,8 @@ struct Engine::Impl {
     void take_over(Scene changed);
     void set(const command::Set& command);
     void change(Scene changed, bool harmless);  // harmless: the run reads nothing of what differs
+    void add_probe(const Probe& probe);
+    void replace_run(const Scene& of);  // with the probes that were set
     void set_speed(std::optional<double> wanted);
     bool seek_is_superseded();  // the next command makes it useless to go on with a Seek
     void seek(double to);

@@ -126,25 +126,22 @@ FieldInfo find_field(const Scene& scene, std::string_view name) {
     throw std::invalid_argument(fault_of_field(scene, "field", name));
 }
 
+double field_value(const Snapshot& snapshot, const FieldInfo& field, std::size_t index) {
+    if (!field.per_cell)
+        return field.of_node(&snapshot.position[2 * index], &snapshot.velocity[2 * index],
+                             snapshot.setup->mesh.nodes[index].data());
+    CellValues cell{snapshot.stress[index], 0, 0, 0};
+    if (!snapshot.plastic_strain.empty()) cell.plastic_strain = snapshot.plastic_strain[index];
+    if (!snapshot.yield_stress.empty()) cell.yield_stress = snapshot.yield_stress[index];
+    if (!snapshot.temperature.empty()) cell.temperature = snapshot.temperature[index];
+    return field.of_cell(cell);
+}
+
 std::vector<double> field_values(const Snapshot& snapshot, const FieldInfo& field) {
+    const std::size_t count = field.per_cell ? snapshot.stress.size() : snapshot.setup->mesh.nodes.size();
     std::vector<double> values;
-    if (field.per_cell) {
-        values.reserve(snapshot.stress.size());
-        CellValues cell;
-        for (std::size_t i = 0; i < snapshot.stress.size(); ++i) {
-            cell.stress = snapshot.stress[i];
-            if (!snapshot.plastic_strain.empty()) cell.plastic_strain = snapshot.plastic_strain[i];
-            if (!snapshot.yield_stress.empty()) cell.yield_stress = snapshot.yield_stress[i];
-            if (!snapshot.temperature.empty()) cell.temperature = snapshot.temperature[i];
-            values.push_back(field.of_cell(cell));
-        }
-        return values;
-    }
-    const auto& start = snapshot.setup->mesh.nodes;
-    values.reserve(start.size());
-    for (std::size_t i = 0; i < start.size(); ++i)
-        values.push_back(
-            field.of_node(&snapshot.position[2 * i], &snapshot.velocity[2 * i], start[i].data()));
+    values.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) values.push_back(field_value(snapshot, field, i));
     return values;
 }
 

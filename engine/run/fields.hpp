@@ -49,6 +49,9 @@ struct FieldInfo {
 /// Values of a field: cell_count or node_count numbers in scene units.
 [[nodiscard]] std::vector<double> field_values(const Snapshot& snapshot, const FieldInfo& field);
 
+/// Of one cell or node.
+[[nodiscard]] double field_value(const Snapshot& snapshot, const FieldInfo& field, std::size_t cell_or_node);
+
 /// Names of the two in-plane directions: {"radial", "axial"} or {"x", "y"}.
 [[nodiscard]] std::array<std::string, 2> direction_names(Geometry geometry);
 

@@ -25,6 +25,7 @@ std::vector<HistoryColumn> history_columns(const Scene& scene) {
             columns.push_back({"contact." + pair.name + "." + direction[d], Quantity::force});
         columns.push_back({"contact." + pair.name + ".active", Quantity::dimensionless});
         columns.push_back({"contact." + pair.name + ".penetration", Quantity::length});
+        columns.push_back({"contact." + pair.name + ".changes", Quantity::dimensionless});
         if (pair.friction == 0) continue;
         for (const std::size_t d : order)
             columns.push_back({"contact." + pair.name + ".friction." + direction[d], Quantity::force});

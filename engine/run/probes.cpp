@@ -27,7 +27,20 @@ CellValues cell_values(const Batch& batch, const Node* nodes, std::int32_t eleme
     return {mean_stress(batch, nodes, element), plastic.strain, plastic.yield, plastic.temperature};
 }
 
-std::vector<ProbeReading> bind_probes(const Scene& scene, const Mesh& mesh) {
+double read_cell(const ProbeReading& reading, const std::vector<Batch>& batches, const Node* nodes) {
+    const Batch& batch = batches[static_cast<std::size_t>(reading.body)];
+    CellValues values = cell_values(batch, nodes, reading.cell - batch.cell_begin);
+    if (reading.ambient && batch.kernel.law_size <= 2) values.temperature = *reading.ambient;
+    return reading.field.of_cell(values);
+}
+
+double read_node(const ProbeReading& reading, const Node& before, const Node& after, const Mesh& mesh) {
+    const double velocity[2] = {0.5 * (before.v[0] + after.v[0]), 0.5 * (before.v[1] + after.v[1])};
+    return reading.field.of_node(before.x, velocity,
+                                 mesh.nodes[static_cast<std::size_t>(reading.node)].data());
+}
+
+std::vector<ProbeReading> bind_probe(const Scene& scene, const Mesh& mesh, const Probe& probe) {
     const auto node_at = [&](std::int32_t node) -> Vec2 { return mesh.nodes[static_cast<std::size_t>(node)]; };
     const auto centre_of = [&](std::int32_t cell) -> Vec2 {
         const Cell& corners = mesh.cells[static_cast<std::size_t>(cell)];
@@ -36,22 +49,28 @@ std::vector<ProbeReading> bind_probes(const Scene& scene, const Mesh& mesh) {
         for (int i = 0; i < count; ++i) sum += node_at(corners[static_cast<std::size_t>(i)]);
         return sum / count;
     };
+    const auto body = std::find_if(mesh.bodies.begin(), mesh.bodies.end(),
+                                   [&](const MeshBody& b) { return b.name == probe.body; });
     std::vector<ProbeReading> readings;
-    for (const Probe& probe : scene.probes) {
-        const auto body = std::find_if(mesh.bodies.begin(), mesh.bodies.end(),
-                                       [&](const MeshBody& b) { return b.name == probe.body; });
-        for (const std::string& quantity : probe.record) {
-            ProbeReading reading;
-            reading.field = find_field(scene, quantity);
-            reading.body = static_cast<std::int32_t>(body - mesh.bodies.begin());
-            if (reading.field.per_cell) {
-                reading.cell = nearest(body->cell_begin, body->cell_end, probe.at, centre_of);
-            } else {
-                reading.node = nearest(body->node_begin, body->node_end, probe.at, node_at);
-            }
-            readings.push_back(std::move(reading));
+    for (const std::string& quantity : probe.record) {
+        ProbeReading reading;
+        reading.field = find_field(scene, quantity);
+        reading.body = static_cast<std::int32_t>(body - mesh.bodies.begin());
+        reading.ambient = ambient_temperature(scene);
+        if (reading.field.per_cell) {
+            reading.cell = nearest(body->cell_begin, body->cell_end, probe.at, centre_of);
+        } else {
+            reading.node = nearest(body->node_begin, body->node_end, probe.at, node_at);
         }
+        readings.push_back(std::move(reading));
     }
+    return readings;
+}
+
+std::vector<ProbeReading> bind_probes(const Scene& scene, const Mesh& mesh) {
+    std::vector<ProbeReading> readings;
+    for (const Probe& probe : scene.probes)
+        for (ProbeReading& reading : bind_probe(scene, mesh, probe)) readings.push_back(std::move(reading));
     return readings;
 }
 

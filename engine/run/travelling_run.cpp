@@ -42,8 +42,10 @@ std::optional<Divergence> TravellingRun::step() {
     const double time = solver_->time();
     const std::int64_t failed = solver_->steps();
     record_.before_step(*solver_);
+    if (!probes_.none()) probes_.before_step(*solver_);
     auto divergence = solver_->step();
     record_.after_step(*solver_, time, !divergence);
+    if (!divergence && !probes_.none()) probes_.after_step(*solver_, time);
     if (!divergence) return std::nullopt;
     // Back to the last step whose stresses are known to be sound.
     solver_->restore(safe_->solver);
@@ -130,6 +132,7 @@ bool TravellingRun::resume() {
     }
     if (!end_) return false;
     record_ = std::move(*record_so_far_);
+    probes_.branch(solver_->time());
     states_ = states_->up_to(solver_->time());
     safe_.reset();
     back_at_end();

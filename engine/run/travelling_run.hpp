@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "run/probe_recorder.hpp"
 #include "run/run_record.hpp"
 #include "run/state_history.hpp"
 #include "solver.hpp"
@@ -27,6 +28,10 @@ class TravellingRun {
     [[nodiscard]] const Solver& solver() const { return *solver_; }
     /// Of the whole run, whatever moment it is set back to.
     [[nodiscard]] const RunRecord& record() const { return record_; }
+    /// Probes that are set while the run goes on. Those of a run that is set back keep what they have read
+    /// until resume(), like the rest of the record.
+    [[nodiscard]] ProbeRecorder& probes() { return probes_; }
+    [[nodiscard]] const ProbeRecorder& probes() const { return probes_; }
     /// Kept states; null when none are. A branch begins a new one.
     [[nodiscard]] std::shared_ptr<const StateHistory> states() const { return states_; }
     /// The last moment that was reached, when the run is set back from it [time].
@@ -63,6 +68,7 @@ class TravellingRun {
 
     std::unique_ptr<Solver> solver_;
     RunRecord record_;
+    ProbeRecorder probes_;
     std::shared_ptr<StateHistory> states_;
     std::shared_ptr<const KeptState> safe_;  // not far back, for a run that diverges
     std::vector<Change> changes_;            // by step, one a step at most

@@ -46,6 +46,7 @@ void read_arrows(TableReader& reader, ViewOptions& view) {
                                                 {"logarithmic", ForceScale::logarithmic}})
                            .value_or(view.force_scale);
     view.force_reference = reader.number("force_reference", positive);
+    view.force_cut_off = reader.number("force_cut_off", {.low = 1e-9, .high = 0.5});
     if (view.force_scale == ForceScale::fixed && !reader.find("force_reference"))
         reader.error("force_scale", "a fixed force scale needs its reference; add force_reference = FORCE");
 }

@@ -254,6 +254,8 @@ struct ViewOptions {
     bool forces = true;  ///< contact-force arrows
     ForceScale force_scale = ForceScale::automatic;
     std::optional<double> force_reference;  ///< force drawn as the reference arrow [force]
+    /// Part of the reference force below which no arrow is drawn; absent: 0.01, logarithmic 0.001.
+    std::optional<double> force_cut_off;
     bool velocities = true;                 ///< arrow and label of each body's mean velocity
     VerticalAxis up = VerticalAxis::second;
     std::optional<std::array<double, 4>>

@@ -12,8 +12,10 @@ struct ForceScaling {
     double reference = 0;         ///< force of the reference arrow [force]; 0: nothing to draw
     double reference_length = 0;  ///< its length [pixels]
 
-    static constexpr double cut_off = 0.01;  ///< fraction of the largest force below which no arrow is drawn
-    static constexpr double decades = 3;     ///< shown by logarithmic arrows, down from the reference
+    double cut_off = 0.01;  ///< fraction of the reference below which no arrow is drawn
+
+    /// Decades that logarithmic arrows show, down from the reference.
+    [[nodiscard]] double decades() const;
 
     /// Pixels for a force of this magnitude; 0 when it is negligible.
     [[nodiscard]] double length(double force) const;

@@ -65,9 +65,8 @@ void paint_force_legend(Canvas& canvas, const Rect& rect, double scale, const Fo
     }
     canvas.arrow(rect.x, middle, forces.reference_length, 0, master_force_colour, 2.4 * scale);
     const DisplayUnit unit = units.display(Quantity::force, forces.reference);
-    const std::string kind = forces.kind == ForceScale::logarithmic
-                                 ? fmt::format(", log, {:g} decades", ForceScaling::decades)
-                                 : "";
+    const std::string kind =
+        forces.kind == ForceScale::logarithmic ? fmt::format(", log, {:.2g} decades", forces.decades()) : "";
     canvas.text(rect.x + forces.reference_length + 8 * scale, middle,
                 fmt::format("{} {}{}", format_number(unit.scale * forces.reference), unit.label, kind),
                 {13 * scale});

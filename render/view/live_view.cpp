@@ -199,6 +199,7 @@ const Rect& LiveView::model() const { return impl_->model; }
 ColourRange LiveView::range() const { return impl_->range; }
 const Plane& LiveView::plane() const { return impl_->mesh.plane; }
 const FieldInfo& LiveView::field() const { return impl_->mesh.field; }
+double LiveView::force_reference() const { return impl_->forces.reference; }
 double LiveView::value(std::size_t index) const { return impl_->values[index]; }
 
 LiveCamera LiveView::camera() const {

@@ -63,6 +63,7 @@ class LiveView {
     [[nodiscard]] ColourRange range() const;
     [[nodiscard]] const Plane& plane() const;
     [[nodiscard]] const FieldInfo& field() const;
+    [[nodiscard]] double force_reference() const;  ///< of the reference arrow; 0 while it has none [force]
     [[nodiscard]] double value(std::size_t cell_or_node) const;  ///< of the field, in scene units
     /// The camera of the last draw(), to pan and zoom from.
     [[nodiscard]] LiveCamera camera() const;

@@ -12,8 +12,10 @@
 #include "context/context.hpp"
 #include "figures/draw_run.hpp"
 #include "figures/run_page.hpp"
+#include "live/probe_curves.hpp"
 #include "output.hpp"
 #include "scene/edit_text.hpp"
+#include "scene/parse.hpp"
 #include "workbench/export/moments_film.hpp"
 #include "workbench/export/plot_files.hpp"
 
@@ -99,7 +101,12 @@ void Exports::save_scene(Workbench& w) {
                                    file.string()));
     settings.replace = false;
     try {
-        writer_.post([file, text = edit_scene_text(scene.text, scene.file, overrides)] {
+        std::string text = edit_scene_text(scene.text, scene.file, overrides);
+        if (!w.run.probes().empty()) {
+            text += "\n" + probes_as_scene_text(w.run.probes());
+            static_cast<void>(parse_scene(text, scene.file));  // probes may be written otherwise in it
+        }
+        writer_.post([file, text = std::move(text)] {
             if (file.has_parent_path()) fs::create_directories(file.parent_path());
             write_text_file(file, text);
             return file.string();
@@ -125,8 +132,9 @@ void Exports::save_picture(Workbench& w) {
 
 void Exports::save_plot(Workbench& w, const PlotInfo& plot, PlotFormat format) {
     if (!w.run.snapshot() || !w.run.history()) return;
-    PlotContents contents = contents_of(w, plot);
-    if (contents.runs.front().columns.empty() || contents.runs.front().begin == contents.runs.front().end)
+    PlotContents contents = format == PlotFormat::csv ? contents_of(w, plot) : drawn_contents_of(w, plot);
+    if (std::all_of(contents.runs.begin(), contents.runs.end(),
+                    [](const PlotRun& run) { return run.begin == run.end; }))
         return fail(w, fmt::format("{}: no curve is shown that could be written", plot.title));
     if (format == PlotFormat::csv) {
         writer_.post([contents = std::move(contents), file = free_name("-" + plot.name + ".csv")] {

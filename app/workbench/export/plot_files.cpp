@@ -22,6 +22,21 @@ PlotRun rows_within(const Curves& curves, std::shared_ptr<const History> history
     return {std::move(history), "", begin, std::max(begin, end), {}, {}};
 }
 
+constexpr int points_of_a_drawn_rate = 1000;
+
+/// A curve that the run's history does not have.
+PlotRun run_of_points(const std::vector<CurvePoint>& points, const std::string& name, Quantity quantity,
+                      std::size_t place, const std::array<double, 2>& times) {
+    auto history =
+        std::make_shared<History>(std::vector<HistoryColumn>{{"time", Quantity::time}, {name, quantity}});
+    for (const CurvePoint& point : points) {
+        if (point.time < times[0] || point.time > times[1]) continue;
+        history->append(std::array{point.time, point.value});
+    }
+    const std::size_t rows = history->rows();
+    return {std::move(history), "", 0, rows, {1}, {place}};
+}
+
 std::string heading(const Units& units, const HistoryColumn& column, const std::string& prefix) {
     const std::string label = units.label(column.quantity);
     return csv_cell(prefix + (label.empty() ? column.name : fmt::format("{} [{}]", column.name, label)));
@@ -29,15 +44,24 @@ std::string heading(const Units& units, const HistoryColumn& column, const std::
 
 }  // namespace
 
-PlotContents contents_of(const Workbench& w, const PlotInfo& plot) {
+PlotContents contents_of(Workbench& w, const PlotInfo& plot) {
     const Scene& scene = w.run.snapshot()->setup->scene;
     PlotContents contents{plot, scene.units, scene.duration, shown_times(w), {}};
     PlotRun present = rows_within(w.plots.curves, w.run.history(), contents.times), reference;
     if (w.reference) reference = rows_within(w.reference->curves, w.reference->history, contents.times);
     reference.prefix = "reference ";
+    std::vector<PlotRun> others;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         const CurveInfo& curve = plot.curves[i];
         if (!shown(w.plots, plot, curve)) continue;
+        if (curve.own) {  // a probe of the window has rows of its own
+            const MinMaxPyramid& values = curve.own->column(curve.column);
+            std::vector<CurvePoint> points;
+            for (std::size_t row = 0; row < curve.own->rows(); ++row)
+                points.push_back({curve.own->times()[row], values[row]});
+            others.push_back(run_of_points(points, "probe." + curve.label, plot.quantity, i, contents.times));
+            continue;
+        }
         present.columns.push_back(curve.column);
         present.places.push_back(i);
         const auto column = reference_column(w, curve);
@@ -45,8 +69,30 @@ PlotContents contents_of(const Workbench& w, const PlotInfo& plot) {
         reference.columns.push_back(*column);
         reference.places.push_back(i);
     }
-    contents.runs.push_back(std::move(present));
+    if (!present.columns.empty()) contents.runs.push_back(std::move(present));
+    for (PlotRun& run : others) contents.runs.push_back(std::move(run));
     if (!reference.columns.empty()) contents.runs.push_back(std::move(reference));
+    return contents;
+}
+
+PlotContents drawn_contents_of(Workbench& w, const PlotInfo& plot) {
+    if (!plot.rate) return contents_of(w, plot);
+    const Scene& scene = w.run.snapshot()->setup->scene;
+    PlotContents contents{plot, scene.units, scene.duration, shown_times(w), {}};
+    const auto add = [&](Curves& curves, std::size_t column, std::size_t place, const char* prefix) {
+        std::vector<CurvePoint> points;
+        rates(curves, curves.column(column), contents.times[0], contents.times[1], points_of_a_drawn_rate,
+              rate_window(w), points);
+        contents.runs.push_back(
+            run_of_points(points, plot.curves[place].label, plot.quantity, place, contents.times));
+        contents.runs.back().prefix = prefix;
+    };
+    for (std::size_t i = 0; i < plot.curves.size(); ++i)
+        if (shown(w.plots, plot, plot.curves[i])) add(w.plots.curves, plot.curves[i].column, i, "");
+    for (std::size_t i = 0; i < plot.curves.size(); ++i)
+        if (const auto column = reference_column(w, plot.curves[i]);
+            column && shown(w.plots, plot, plot.curves[i]))
+            add(w.reference->curves, *column, i, "reference ");
     return contents;
 }
 
@@ -97,30 +143,33 @@ render::Figure figure_of(const PlotContents& contents, const std::string& title)
     const DisplayUnit time = contents.units.display(Quantity::time, contents.duration);
     std::vector<render::Curve> curves;
     double largest = 0;
-    for (std::size_t r = 0; r < contents.runs.size(); ++r) {
-        const PlotRun& run = contents.runs[r];
+    bool dashed = false;
+    for (const PlotRun& run : contents.runs) {
         std::vector<double> times = run.history->values(0, run.begin, run.end);
         for (double& t : times) t *= time.scale;
         for (std::size_t k = 0; k < run.columns.size(); ++k) {
             render::Curve curve;
-            if (r == 0) curve.label = contents.plot.curves[run.places[k]].label;
+            const bool reference = !run.prefix.empty();
+            if (!reference) curve.label = contents.plot.curves[run.places[k]].label;
             curve.x = times;
             curve.y = run.history->values(run.columns[k], run.begin, run.end);
-            curve.dashed = r > 0;
+            curve.dashed = reference;
+            dashed = dashed || reference;
             curve.colour = run.places[k];
             for (const double value : curve.y)
                 if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
             curves.push_back(std::move(curve));
         }
     }
-    const DisplayUnit unit = contents.units.display(contents.plot.quantity, largest);
+    const DisplayUnit unit = contents.plot.rate ? DisplayUnit{1 / time.scale, "1/" + time.label}
+                                                : contents.units.display(contents.plot.quantity, largest);
     for (render::Curve& curve : curves)
         for (double& value : curve.y) value *= unit.scale;
     render::Chart chart;
     const auto titled = [](const std::string& name, const DisplayUnit& of) {
         return of.label.empty() ? name : fmt::format("{} [{}]", name, of.label);
     };
-    if (contents.runs.size() > 1) chart.title = "dashed: the reference";
+    if (dashed) chart.title = "dashed: the reference";
     chart.x_title = titled("time", time);
     chart.y_title = titled(contents.plot.title, unit);
     chart.x_range = {time.scale * contents.times[0], time.scale * contents.times[1]};

@@ -28,7 +28,10 @@ struct PlotContents {
     std::array<double, 2> times{0, 1};  ///< shown [time]
     std::vector<PlotRun> runs;          ///< the present one first
 };
-[[nodiscard]] PlotContents contents_of(const Workbench& w, const PlotInfo& plot);
+/// For a file that lists every row, where plots of rates give the counts that they are of.
+[[nodiscard]] PlotContents contents_of(Workbench& w, const PlotInfo& plot);
+/// For a picture, where they give the rates as they are drawn.
+[[nodiscard]] PlotContents drawn_contents_of(Workbench& w, const PlotInfo& plot);
 
 /// Every row, in scene units, a column a curve under "name [unit]" as in history.csv; a reference has a time
 /// of its own.

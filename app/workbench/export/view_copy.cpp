@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "workbench/viewport_actions.hpp"
 #include "workbench/viewport_ink.hpp"
 
 namespace percuss::app {
@@ -16,12 +17,16 @@ ViewCopy::ViewCopy(Workbench& w, std::array<int, 2> size) : setup_(w.viewport.se
     const double factor = std::min(static_cast<double>(size[0]) / shown.drawn_size[0],
                                    static_cast<double>(size[1]) / shown.drawn_size[1]);
     scale_ = factor * w.screen.scale();
-    render::LiveCamera camera = shown.view->camera();
-    camera.pixels_per_unit *= factor;
-    view_->set_camera(camera);
+    camera_ = shown.view->camera();
+    camera_.pixels_per_unit *= factor;
+    view_->set_camera(camera_);
 }
 
 render::Image ViewCopy::draw(const Workbench& w, const std::shared_ptr<const Snapshot>& moment) {
+    if (const auto centre = centre_after_node(w, *moment)) {
+        camera_.centre = *centre;
+        view_->set_camera(camera_);
+    }
     return view_->picture(moment, size_, scale_, [&](render::Canvas& canvas) {
         paint_beneath(w, *view_, moment, scale_, canvas);
         view_->paint(canvas);

@@ -25,6 +25,7 @@ class ViewCopy {
     std::array<int, 2> size_;
     double scale_;
     std::unique_ptr<render::LiveView> view_;
+    render::LiveCamera camera_;
 };
 
 }  // namespace percuss::app

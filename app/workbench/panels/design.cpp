@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "effects.hpp"
+#include "workbench/glossary.hpp"
 #include "workbench/panels/panel.hpp"
 
 namespace percuss::app {
@@ -44,6 +45,9 @@ std::string title_of(const DesignValue& value) {
 
 std::string help_of(const DesignValue& value) {
     std::string help = value.help.empty() ? title_of(value) : value.help;
+    std::string words = value.title;
+    for (const std::string& choice : value.choices) words += ", " + choice;
+    if (const std::string terms = explain(words); !terms.empty()) help += "\n" + terms;
     if (value.range && value.group == "parameters")
         help += fmt::format("\n{:g} to {:g} {}", (*value.range)[0], (*value.range)[1], value.unit);
     if (!value.expression.empty()) return help + "\nFollows from parameters: " + value.expression;
@@ -209,7 +213,7 @@ void show_effects(const Scene& scene) {
     for (const EffectInfo& effect : effects_of(scene)) {
         if (!effect.on) continue;
         ImGui::BulletText("%s", effect.name.c_str());
-        tooltip(effect.cost);
+        explain_tooltip(effect.name, "Costs " + effect.cost + ".");
     }
 }
 

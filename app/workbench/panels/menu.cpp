@@ -30,7 +30,7 @@ void show_menu(Workbench& workbench) {
     if (!ImGui::BeginMainMenuBar()) return;
     menu(workbench, "Scene", {"scene.", "reference.", "quit"});
     menu(workbench, "Run", {"run.", "time."});
-    menu(workbench, "View", {"view.", "plots."});
+    menu(workbench, "View", {"view.", "probe.", "plots."});
     menu(workbench, "Export", {"export."});
     menu(workbench, "Window", {"panels.", "window."});
     menu(workbench, "Help", {"help"});

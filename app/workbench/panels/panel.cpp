@@ -5,6 +5,7 @@
 
 #include "figures/ticks.hpp"
 #include "workbench/command_table.hpp"
+#include "workbench/glossary.hpp"
 
 namespace percuss::app {
 
@@ -31,6 +32,12 @@ void tooltip(const std::string& text) {
     ImGui::EndTooltip();
 }
 
+void explain_tooltip(const std::string& text, const std::string& first) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const std::string terms = explain(text);
+    tooltip(first.empty() || terms.empty() ? first + terms : first + "\n" + terms);
+}
+
 namespace {
 
 std::string help_of(const WorkbenchCommand& command) {
@@ -46,7 +53,7 @@ bool command_button(Workbench& workbench, const char* name, const char* label, f
     const std::string text = fmt::format("{}##{}", *label != '\0' ? label : command.title.c_str(), name);
     const bool pressed = ImGui::Button(text.c_str(), {width, 0});
     workbench.names.name(command.name);
-    tooltip(help_of(command));
+    explain_tooltip(command.title + ". " + command.help, help_of(command));
     if (pressed) command.act(workbench);
     return pressed;
 }
@@ -56,7 +63,7 @@ void command_box(Workbench& workbench, const char* name) {
     bool on = command.on(workbench);
     if (ImGui::Checkbox(fmt::format("{}##{}", command.title, name).c_str(), &on)) command.act(workbench);
     workbench.names.name(command.name);
-    tooltip(help_of(command));
+    explain_tooltip(command.title + ". " + command.help, help_of(command));
 }
 
 std::string quantity_text(const Units& units, Quantity quantity, double value) {

@@ -35,6 +35,9 @@ void show_splitter(Workbench& workbench, const char* name, const PanelArea& area
 /// What the last widget is about, shown when the mouse rests on it.
 void tooltip(const std::string& text);
 
+/// The terms of a text (glossary.hpp) as the tooltip of the last widget, beneath `first` if there is one.
+void explain_tooltip(const std::string& text, const std::string& first = "");
+
 /// "12.3 µs": three digits and the unit in which they read best.
 [[nodiscard]] std::string quantity_text(const Units& units, Quantity quantity, double value);
 [[nodiscard]] const char* status_word(RunStatus status);
@@ -46,6 +49,7 @@ void show_viewport(Workbench& workbench, const PanelArea& area);
 [[nodiscard]] float timeline_height(const Workbench& workbench);  ///< [pixels]
 void show_timeline(Workbench& workbench, const PanelArea& area);
 void show_view_settings(Workbench& workbench);  ///< within the panel on the left
+void show_probes(Workbench& workbench);         ///< likewise
 void show_design(Workbench& workbench);         ///< likewise
 void show_reference(Workbench& workbench);      ///< likewise
 void show_export(Workbench& workbench);         ///< likewise

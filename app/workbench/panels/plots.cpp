@@ -27,6 +27,21 @@ void flip(std::set<std::string>& names, const std::string& name) {
     if (names.erase(name) == 0) names.insert(name);
 }
 
+/// The history that a curve is of.
+Curves& curves_of(PlotsState& state, const CurveInfo& curve) { return curve.own ? *curve.own : state.curves; }
+
+/// Points that a rate is drawn with on so many pixels.
+int parts_of_rate(float width) { return std::max(1, static_cast<int>(0.5F * width)); }
+
+/// What a curve's name is about: the pair of contact plots is marked in the picture while it is pointed at.
+void point_at_pair(Workbench& w, const CurveInfo& curve) {
+    if (!ImGui::IsItemHovered() || curve.own) return;
+    if (!w.plots.columns[curve.column].name.starts_with("contact.")) return;
+    const auto& contacts = w.run.snapshot()->setup->scene.contacts;
+    for (std::size_t p = 0; p < contacts.size(); ++p)
+        if (contacts[p].name == curve.label) w.marks.hovered_pair = p;
+}
+
 /// Curve names that wrap at the panel's width; a click shows or hides a curve.
 void show_legend(Workbench& w, const PlotInfo& plot) {
     PlotsState& state = w.plots;
@@ -54,7 +69,8 @@ void show_legend(Workbench& w, const PlotInfo& plot) {
             ink.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_TextDisabled));
         ink.AddText({at.x + 1.5F * em, at.y}, ImGui::GetColorU32(on ? ImGuiCol_Text : ImGuiCol_TextDisabled),
                     curve.label.c_str());
-        tooltip(on ? "Hide this curve." : "Show this curve.");
+        point_at_pair(w, curve);
+        explain_tooltip(curve.label, on ? "Click: hide this curve." : "Click: show this curve.");
     }
 }
 
@@ -72,24 +88,29 @@ struct Axes {
 };
 
 /// Least and greatest of what is shown, with a little room; zero is kept in sight when it is near.
-std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std::array<double, 2>& times) {
-    Curves& curves = w.plots.curves;
-    const std::size_t begin = curves.row_at(times[0]);
-    const std::size_t end = std::min(curves.rows(), curves.row_at(times[1]) + 1);
+std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std::array<double, 2>& times,
+                                   float width) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     const auto include = [&](const MinMax& part) {
         low = std::min(low, part.low);
         high = std::max(high, part.high);
     };
+    static thread_local std::vector<CurvePoint> points;
+    const auto look_at = [&](Curves& curves, std::size_t column) {
+        if (plot.rate) {
+            rates(curves, curves.column(column), times[0], times[1], parts_of_rate(width), rate_window(w),
+                  points);
+            for (const CurvePoint& point : points) include({0, point.value});
+            return;
+        }
+        const std::size_t begin = curves.row_at(times[0]),
+                          end = std::min(curves.rows(), curves.row_at(times[1]) + 1);
+        if (begin < end) include(curves.column(column).range(begin, end));
+    };
     for (const CurveInfo& curve : plot.curves) {
         if (!shown(w.plots, plot, curve)) continue;
-        if (begin < end) include(curves.column(curve.column).range(begin, end));
-        const auto column = reference_column(w, curve);
-        if (!column) continue;
-        Curves& other = w.reference->curves;
-        const std::size_t first = other.row_at(times[0]),
-                          last = std::min(other.rows(), other.row_at(times[1]) + 1);
-        if (first < last) include(other.column(*column).range(first, last));
+        look_at(curves_of(w.plots, curve), curve.column);
+        if (const auto column = reference_column(w, curve)) look_at(w.reference->curves, *column);
     }
     if (!(low <= high)) return {0, 1};
     if (low > 0 && low < 0.6 * high) low = 0;
@@ -127,12 +148,16 @@ void draw_grid(ImDrawList& ink, const Axes& axes, double time_scale, const Displ
     ink.AddRect(axes.low, axes.high, ImGui::GetColorU32(ImGuiCol_Border));
 }
 
-void draw_curve(const Curves& curves, const MinMaxPyramid& values, const Axes& axes, ImU32 colour,
-                float width, ImDrawList& ink) {
+void draw_curve(const Workbench& w, const PlotInfo& plot, const Curves& curves, const MinMaxPyramid& values,
+                const Axes& axes, ImU32 colour, float width, ImDrawList& ink) {
     static thread_local std::vector<CurvePoint> points;
     static thread_local std::vector<ImVec2> line;
     const int parts = std::max(1, static_cast<int>(axes.high.x - axes.low.x));
-    decimate(curves, values, axes.from, axes.to, parts, points);
+    if (plot.rate)
+        rates(curves, values, axes.from, axes.to, parts_of_rate(axes.high.x - axes.low.x), rate_window(w),
+              points);
+    else
+        decimate(curves, values, axes.from, axes.to, parts, points);
     line.clear();
     for (const CurvePoint& point : points) line.emplace_back(axes.x(point.time), axes.y(point.value));
     ink.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width);
@@ -145,36 +170,69 @@ void draw_curves(Workbench& w, const PlotInfo& plot, const Axes& axes, ImDrawLis
         const auto column = reference_column(w, curve);
         if (!column || !shown(w.plots, plot, curve)) continue;
         const ImU32 colour = palette[static_cast<std::size_t>(&curve - plot.curves.data()) % palette.size()];
-        draw_curve(w.reference->curves, w.reference->curves.column(*column), axes,
+        draw_curve(w, plot, w.reference->curves, w.reference->curves.column(*column), axes,
                    colour & (faint | ~IM_COL32_A_MASK), 2.5F * width, ink);
     }
     for (std::size_t i = plot.curves.size(); i-- > 0;) {  // the first on top
         const CurveInfo& curve = plot.curves[i];
         if (!shown(w.plots, plot, curve)) continue;
-        draw_curve(w.plots.curves, w.plots.curves.column(curve.column), axes, palette[i % palette.size()],
-                   width, ink);
+        Curves& curves = curves_of(w.plots, curve);
+        draw_curve(w, plot, curves, curves.column(curve.column), axes, palette[i % palette.size()], width,
+                   ink);
     }
 }
 
-/// The last values at or before a time.
-void tell_values(Workbench& w, const PlotInfo& plot, double time) {
-    Curves& curves = w.plots.curves;
-    if (curves.rows() == 0) return;
-    const Units& units = w.run.snapshot()->setup->scene.units;
+/// The last row at or before a time.
+std::size_t row_before(const Curves& curves, double time) {
     const std::size_t next = curves.row_at(time);
-    const std::size_t row =
-        next > 0 && (next == curves.rows() || curves.times()[next] > time) ? next - 1 : next;
+    return next > 0 && (next == curves.rows() || curves.times()[next] > time) ? next - 1 : next;
+}
+
+/// What the curves show there: the last values at or before a time.
+void tell_values(Workbench& w, const PlotInfo& plot, double time) {
+    if (w.plots.curves.rows() == 0) return;
+    const Units& units = w.run.snapshot()->setup->scene.units;
     ImGui::BeginTooltip();
-    ImGui::TextUnformatted(
-        fmt::format("t = {}", quantity_text(units, Quantity::time, curves.times()[row])).c_str());
+    const double row_time = w.plots.curves.times()[row_before(w.plots.curves, time)];
+    ImGui::TextUnformatted(fmt::format("t = {}", quantity_text(units, Quantity::time, row_time)).c_str());
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         const CurveInfo& curve = plot.curves[i];
-        if (!shown(w.plots, plot, curve)) continue;
-        const std::string text = fmt::format(
-            "{}  {}", curve.label, quantity_text(units, plot.quantity, curves.column(curve.column)[row]));
+        Curves& curves = curves_of(w.plots, curve);
+        if (!shown(w.plots, plot, curve) || curves.rows() == 0) continue;
+        const MinMaxPyramid& column = curves.column(curve.column);
+        std::string value;
+        if (plot.rate) {
+            const DisplayUnit unit = unit_of(w, plot, 0);
+            value =
+                fmt::format("{} {}, {:.0f} so far",
+                            render::format_number(unit.scale * rate_at(curves, column, time, rate_window(w))),
+                            unit.label, column[row_before(curves, time)]);
+        } else {
+            value = quantity_text(units, plot.quantity, column[row_before(curves, time)]);
+        }
+        const std::string text = fmt::format("{}  {}", curve.label, value);
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette[i % palette.size()]), "%s", text.c_str());
     }
     ImGui::EndTooltip();
+}
+
+/// "1234 so far", of a plot of events; "" of others.
+std::string total_of(Workbench& w, const PlotInfo& plot) {
+    const std::size_t rows = w.plots.curves.rows();
+    if (!plot.rate || rows == 0) return "";
+    double total = 0;
+    for (const CurveInfo& curve : plot.curves) total += w.plots.curves.column(curve.column)[rows - 1];
+    return fmt::format("{:.0f} so far", total);
+}
+
+/// Title and unit, and the total where there is room.
+std::string title_of(const PlotInfo& plot, const DisplayUnit& unit, const std::string& total) {
+    const std::string title =
+        unit.label.empty() ? plot.title : fmt::format("{} [{}]", plot.title, unit.label);
+    if (total.empty()) return title;
+    const std::string longer = title + ", " + total;
+    const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFontSize();
+    return ImGui::CalcTextSize(longer.c_str()).x < room ? longer : title;
 }
 
 void navigate(Workbench& w, const PlotInfo& plot, const Axes& axes) {
@@ -216,18 +274,19 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
                bool last, std::optional<double> cursor) {
     const float em = ImGui::GetFontSize();
     const Units& units = w.run.snapshot()->setup->scene.units;
-    const auto values = shown_values(w, plot, times);
-    const DisplayUnit unit = units.display(plot.quantity, std::max(std::abs(values[0]), std::abs(values[1])));
+    const auto values = shown_values(w, plot, times, ImGui::GetContentRegionAvail().x - 3.6F * em);
+    const DisplayUnit unit = unit_of(w, plot, std::max(std::abs(values[0]), std::abs(values[1])));
     const bool open = !w.plots.folded.contains(plot.name);
-    const std::string title =
-        unit.label.empty() ? plot.title : fmt::format("{} [{}]", plot.title, unit.label);
+    const std::string total = total_of(w, plot);
     ImGui::PushFont(w.screen.fonts().bold);
+    const std::string title = title_of(plot, unit, total);
     const float room = open ? ImGui::GetContentRegionAvail().x - 2 * em : 0;
-    if (ImGui::Selectable(fmt::format("{} {}##{}", open ? "\u2013" : "+", title, plot.name).c_str(), false, 0,
-                          {room, 0}))
+    if (ImGui::Selectable(fmt::format("{} {}###{}", open ? "\u2013" : "+", title, plot.name).c_str(), false,
+                          0, {room, 0}))
         flip(w.plots.folded, plot.name), w.layout.plots[plot.name] = !open;
     ImGui::PopFont();
     w.names.name("plots." + plot.name + ".title");
+    explain_tooltip(plot.title, total);
     if (!open) return;
     show_plot_menu(w, plot);
     const float top = ImGui::GetCursorPosY();
@@ -271,6 +330,18 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     ImGui::Dummy({1, 1});
 }
 
+/// Those of the probes of the window, which were asked for last, then the others of the run.
+std::vector<PlotInfo> listed_plots(const Workbench& w) {
+    std::vector<PlotInfo> plots = plots_of(w.run.snapshot()->setup->scene, w.run.history()->columns());
+    add_probe_plots(w.marks.probes.all(), plots);
+    const auto has_probe = [](const PlotInfo& plot) {
+        return std::any_of(plot.curves.begin(), plot.curves.end(),
+                           [](const CurveInfo& curve) { return curve.own != nullptr; });
+    };
+    std::stable_partition(plots.begin(), plots.end(), has_probe);
+    return plots;
+}
+
 }  // namespace
 
 void show_plots(Workbench& w, const PanelArea& area) {
@@ -282,17 +353,20 @@ void show_plots(Workbench& w, const PanelArea& area) {
     const auto& columns = w.run.history()->columns();
     if (!std::equal(columns.begin(), columns.end(), state.columns.begin(), state.columns.end(), same)) {
         state.columns = columns;
-        state.plots = plots_of(w.run.snapshot()->setup->scene, columns);
+        state.plots = listed_plots(w);
         state.time.reset();
         state.folded.clear();
         // In a low window three plots that can be read are better than four that cannot.
         const bool low = area.height < 52 * ImGui::GetFontSize();
         for (const PlotInfo& plot : state.plots)
-            if (plot.folded || (low && plot.name == "step")) state.folded.insert(plot.name);
+            if (plot.folded || (low && (plot.name == "step" || plot.name == "events")))
+                state.folded.insert(plot.name);
         for (const auto& [name, opened] : w.layout.plots)  // as the user had them
             opened ? static_cast<void>(state.folded.erase(name))
                    : static_cast<void>(state.folded.insert(name));
     }
+    if (state.probe_changes != w.marks.probe_changes) state.plots = listed_plots(w);
+    state.probe_changes = w.marks.probe_changes;
     const std::optional<double> cursor = std::exchange(state.cursor, std::nullopt);
     const auto open = [&](const PlotInfo& plot) { return !state.folded.contains(plot.name); };
     const auto opened = std::count_if(state.plots.begin(), state.plots.end(), open);

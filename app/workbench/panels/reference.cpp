@@ -10,6 +10,7 @@ namespace percuss::app {
 void show_reference(Workbench& w) {
     const bool open = ImGui::CollapsingHeader("Reference");
     w.names.name("header.reference");
+    explain_tooltip("reference");
     if (!open || !w.run.snapshot()) return;
     command_box(w, "reference.toggle");
     if (!w.reference) return;
@@ -30,9 +31,11 @@ void show_reference(Workbench& w) {
         for (const std::string& text :
              {peak.label, quantity_text(units, peak.quantity, peak.present),
               quantity_text(units, peak.quantity, peak.reference),
-              std::isfinite(change) ? fmt::format("{:+.{}f}", change, std::abs(change) < 10 ? 1 : 0) : std::string()}) {
+              std::isfinite(change) ? fmt::format("{:+.{}f}", change, std::abs(change) < 10 ? 1 : 0)
+                                    : std::string()}) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(text.c_str());
+            if (text == peak.label) explain_tooltip(text);
         }
     }
     ImGui::EndTable();

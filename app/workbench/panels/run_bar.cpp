@@ -5,6 +5,7 @@
 
 #include "effects.hpp"
 #include "figures/ticks.hpp"
+#include "workbench/glossary.hpp"
 #include "workbench/panels/panel.hpp"
 
 namespace percuss::app {
@@ -97,7 +98,8 @@ void show_progress(Workbench& w, const Snapshot& now) {
     ImGui::TextUnformatted(facts.c_str());
     tooltip(
         "Number and size of the last step, its fraction of the critical one, and how fast the run goes: "
-        "simulated time and steps for each second of yours.");
+        "simulated time and steps for each second of yours.\n" +
+        explain("time step, critical"));
 }
 
 }  // namespace
@@ -148,6 +150,7 @@ void show_time_spent(Workbench& w) {
         ImGui::SameLine();
         ImGui::TextUnformatted(part.name);
         w.names.name(fmt::format("time-spent.{}", part.name));
+        explain_tooltip(part.name);
         for (const EffectInfo& effect : effects) {
             if (!effect.on || !is_among(effect.name, part.effects)) continue;
             ImGui::Indent();

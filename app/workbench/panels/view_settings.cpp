@@ -4,8 +4,8 @@
 #include <imgui.h>
 
 #include "figures/ticks.hpp"
-#include "view/bodies.hpp"
 #include "workbench/panels/panel.hpp"
+#include "workbench/viewport_actions.hpp"
 
 namespace percuss::app {
 namespace {
@@ -18,6 +18,7 @@ void choose_field(Workbench& w, const Scene& scene) {
     });
     const bool open = ImGui::BeginCombo("field", present != fields.end() ? present->title.c_str() : "");
     w.names.name("view.field");
+    if (!open && present != fields.end()) explain_tooltip(present->title);
     if (!open) return;
     for (const FieldInfo& field : fields) {
         if (ImGui::Selectable(field.title.c_str(), field.name == view.options.field)) {
@@ -27,6 +28,7 @@ void choose_field(Workbench& w, const Scene& scene) {
             view.dirty = true;
         }
         w.names.name("view.field." + field.name);
+        explain_tooltip(field.title);
     }
     ImGui::EndCombo();
 }
@@ -88,35 +90,115 @@ void choose_range(Workbench& w, const Scene& scene) {
     }
 }
 
-void choose_arrows(Workbench& w) {
+void choose_reference_force(Workbench& w, const Scene& scene) {
     ViewportState& view = w.viewport;
-    if (!view.options.forces) return;
+    const double present = *view.options.force_reference;
+    const DisplayUnit unit = scene.units.display(Quantity::force, present);
+    double shown = unit.scale * present;
+    const bool changed = ImGui::InputDouble(fmt::format("{}###reference-force", unit.label).c_str(), &shown,
+                                            0, 0, "%.4g", ImGuiInputTextFlags_EnterReturnsTrue);
+    w.names.name("view.arrows.reference");
+    tooltip("Force of the reference arrow beneath the picture, which keeps its length.");
+    if (!changed || !(shown > 0)) return;
+    view.options.force_reference = shown / unit.scale;
+    view.dirty = true;
+}
+
+void choose_cut_off(Workbench& w) {
+    ViewportState& view = w.viewport;
     const bool logarithmic = view.options.force_scale == ForceScale::logarithmic;
-    const bool open = ImGui::BeginCombo("arrows", logarithmic ? "logarithmic" : "linear");
+    double percent = 100 * view.options.force_cut_off.value_or(logarithmic ? 0.001 : 0.01);
+    const double low = 0.01, high = 50;
+    const bool changed =
+        ImGui::SliderScalar("cut-off", ImGuiDataType_Double, &percent, &low, &high, "%.3g %%",
+                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    w.names.name("view.arrows.cut-off");
+    tooltip(
+        "Forces below this part of the reference arrow's have no arrow; logarithmic arrows shrink to nothing "
+        "there.");
+    if (!changed) return;
+    view.options.force_cut_off = percent / 100;
+    view.dirty = true;
+}
+
+void choose_arrows(Workbench& w, const Scene& scene) {
+    ViewportState& view = w.viewport;
+    if (!view.options.forces || !view.view) return;
+    struct Kind {
+        ForceScale scale;
+        const char *name, *help;
+    };
+    constexpr Kind kinds[] = {
+        {ForceScale::automatic, "automatic", "The largest force of the run so far has the longest arrow."},
+        {ForceScale::fixed, "fixed", "A length stands for the same force always: the one written below."},
+        {ForceScale::logarithmic, "logarithmic",
+         "Small forces beside large ones: each decade has the same length."}};
+    const auto present = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& kind) {
+        return kind.scale == view.options.force_scale;
+    });
+    const bool open = ImGui::BeginCombo("arrows", present->name);
     w.names.name("view.arrows");
-    if (!open) return;
-    for (const bool log : {false, true}) {
-        if (ImGui::Selectable(log ? "logarithmic" : "linear", log == logarithmic)) {
-            view.options.force_scale = log ? ForceScale::logarithmic : ForceScale::automatic;
-            view.dirty = true;
+    if (open) {
+        for (const Kind& kind : kinds) {
+            if (ImGui::Selectable(kind.name, kind.scale == view.options.force_scale)) {
+                // The fixed scale begins with the reference of the moment; the others find their own.
+                const double reference = view.view->force_reference();
+                view.options.force_reference.reset();
+                if (kind.scale == ForceScale::fixed)
+                    view.options.force_reference =
+                        reference > 0 ? reference : scene.view.force_reference.value_or(1.0);
+                view.options.force_scale = kind.scale;
+                view.options.force_cut_off.reset();
+                view.dirty = true;
+            }
+            w.names.name(fmt::format("view.arrows.{}", kind.name));
+            tooltip(kind.help);
         }
-        w.names.name(log ? "view.arrows.logarithmic" : "view.arrows.linear");
+        ImGui::EndCombo();
+    }
+    if (view.options.force_scale == ForceScale::fixed) choose_reference_force(w, scene);
+    choose_cut_off(w);
+}
+
+/// All pairs, none, or one; the one that is pointed at is marked at once.
+void choose_pairs(Workbench& w, const Scene& scene) {
+    using Pairs = ViewportMarks::Pairs;
+    ViewportMarks& m = w.marks;
+    const char* present = m.pairs == Pairs::none  ? "none"
+                          : m.pairs == Pairs::all ? "all"
+                                                  : scene.contacts[m.pair].name.c_str();
+    const bool open = ImGui::BeginCombo("pairs", present);
+    w.names.name("view.pairs");
+    if (!open) {
+        explain_tooltip("master slave",
+                        "Contact pairs that are marked in the picture: master nodes as dots, slave "
+                        "sides as bold lines.");
+        return;
+    }
+    const auto entry = [&](const std::string& text, Pairs pairs, std::size_t pair) {
+        if (ImGui::Selectable(text.c_str(), m.pairs == pairs && (pairs != Pairs::one || m.pair == pair)))
+            m.pairs = pairs, m.pair = pair;
+        w.names.name("view.pairs." + text);
+    };
+    entry("none", Pairs::none, 0);
+    entry("all", Pairs::all, 0);
+    for (std::size_t p = 0; p < scene.contacts.size(); ++p) {
+        const ContactPair& pair = scene.contacts[p];
+        entry(pair.name, Pairs::one, p);
+        if (ImGui::IsItemHovered()) m.hovered_pair = p;
+        tooltip(fmt::format("master {}.{}, slave {}.{}", pair.master.body, pair.master.edge, pair.slave.body,
+                            pair.slave.edge));
     }
     ImGui::EndCombo();
 }
 
 void zoom_to_body(Workbench& w, const Snapshot& now) {
-    ViewportState& view = w.viewport;
     const bool open = ImGui::BeginCombo("zoom to", "body ...");
     w.names.name("view.zoom-to");
     if (!open) return;
     const auto& bodies = now.setup->mesh.bodies;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (ImGui::Selectable(bodies[b].name.c_str()) && view.view) {
-            view.camera = view.view->around(render::body_boxes(now, view.view->plane())[b]);
-            view.framing = Framing::chosen;
-            view.dirty = true;
-        }
+        if (ImGui::Selectable(bodies[b].name.c_str())) zoom_to(w, b);
         w.names.name("view.zoom-to." + bodies[b].name);
     }
     ImGui::EndCombo();
@@ -144,7 +226,8 @@ void show_view_settings(Workbench& w) {
     }
     if (!scene.contacts.empty()) {
         command_box(w, "view.forces");
-        choose_arrows(w);
+        choose_arrows(w, scene);
+        choose_pairs(w, scene);
     }
     zoom_to_body(w, now);
     ImGui::PopItemWidth();

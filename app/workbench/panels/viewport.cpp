@@ -8,6 +8,8 @@
 #include "ui/draw_list_canvas.hpp"
 #include "view/bodies.hpp"
 #include "workbench/panels/panel.hpp"
+#include "workbench/panels/viewport_parts.hpp"
+#include "workbench/viewport_actions.hpp"
 #include "workbench/viewport_ink.hpp"
 
 namespace percuss::app {
@@ -52,6 +54,7 @@ void draw_model(Workbench& w, std::array<int, 2> size) {
     if (!v.dirty && v.drawn == snapshot && v.drawn_size == size) return;
     const bool first = v.drawn_size != size || v.drawn == nullptr;
     v.view->set_options(v.options, v.range_mode);
+    move_after_node(w, *snapshot);
     v.view->set_camera(wanted_camera(v));
     v.texture = v.view->draw(snapshot, size, w.screen.scale());
     if (first && v.framing == Framing::scene) {  // the window was fitted into the picture before
@@ -72,12 +75,6 @@ std::array<double, 2> model_point(const ViewportState& v, const PanelArea& area)
             (area.y + area.height - mouse.y - fit.offset[1]) / fit.pixels_per_unit};
 }
 
-void move_camera(ViewportState& v, const render::LiveCamera& camera) {
-    v.camera = camera;
-    v.framing = Framing::chosen;
-    v.dirty = true;
-}
-
 void navigate(Workbench& w, const PanelArea& area) {
     ViewportState& v = w.viewport;
     const ImGuiIO& io = ImGui::GetIO();
@@ -87,7 +84,7 @@ void navigate(Workbench& w, const PanelArea& area) {
         render::LiveCamera camera = v.view->camera();
         camera.centre[0] -= io.MouseDelta.x / camera.pixels_per_unit;
         camera.centre[1] += io.MouseDelta.y / camera.pixels_per_unit;
-        if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) move_camera(v, camera);
+        if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) move_camera(w, camera);
         return;
     }
     if (!hovered) return;
@@ -99,52 +96,52 @@ void navigate(Workbench& w, const PanelArea& area) {
         for (std::size_t k = 0; k < 2; ++k)
             camera.centre[k] = point[k] + (camera.centre[k] - point[k]) / factor;
         camera.pixels_per_unit *= factor;
-        move_camera(v, camera);
+        move_camera(w, camera);
     }
     v.hovered = render::pick(*v.drawn, v.view->plane(), point);
     if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
+    w.marks.clicked.reset();
     if (v.hovered.body < 0) {
-        v.framing = Framing::all;
-        v.camera.reset();
-        v.dirty = true;
+        w.do_command("view.fit");
     } else {
-        const auto boxes = render::body_boxes(*v.drawn, v.view->plane());
-        move_camera(v, v.view->around(boxes[static_cast<std::size_t>(v.hovered.body)]));
+        zoom_to(w, static_cast<std::size_t>(v.hovered.body));
     }
 }
 
-void show_values(const Workbench& w) {
-    const ViewportState& v = w.viewport;
-    if (v.hovered.cell < 0 || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-    const Snapshot& now = *v.drawn;
-    const Scene& scene = now.setup->scene;
-    const FieldInfo& field = v.view->field();
-    const auto cell = static_cast<std::size_t>(v.hovered.cell),
-               node = static_cast<std::size_t>(v.hovered.node);
-    const auto directions = direction_names(scene.geometry);
-    ImGui::BeginTooltip();
-    ImGui::PushFont(w.screen.fonts().bold);
-    ImGui::TextUnformatted(now.setup->mesh.bodies[static_cast<std::size_t>(v.hovered.body)].name.c_str());
-    ImGui::PopFont();
-    const auto line = [](const std::string& name, const std::string& value) {
-        ImGui::TextUnformatted(fmt::format("{}  {}", name, value).c_str());
-    };
-    line(field.title,
-         quantity_text(scene.units, field.quantity, v.view->value(field.per_cell ? cell : node)));
-    const bool axisymmetric = scene.geometry == Geometry::axisymmetric;
-    for (std::size_t d = 0; d < 2; ++d) {
-        line(axisymmetric ? (d == 0 ? "r" : "z") : directions[d],
-             quantity_text(scene.units, Quantity::length, now.position[2 * node + d]));
+/// The button that opens the menu: the right one, or the left one when no second click follows.
+void open_menu(Workbench& w) {
+    ViewportMarks& m = w.marks;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool still = io.MouseDragMaxDistanceSqr[0] < 9 && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    bool open = false;
+    if (ImGui::IsItemHovered()) {
+        if (ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+            m.menu = w.viewport.hovered;
+            open = true;
+            m.clicked.reset();
+        } else if (ImGui::IsItemDeactivated() && still && w.viewport.hovered.body >= 0 &&
+                   !io.MouseDoubleClicked[0] && io.MouseClickedLastCount[0] < 2) {
+            m.menu = w.viewport.hovered;
+            m.clicked = ImGui::GetTime();
+            m.click_at = {io.MousePos.x, io.MousePos.y};
+        }
     }
-    for (std::size_t d = 0; d < 2; ++d)
-        line("velocity " + directions[d],
-             quantity_text(scene.units, Quantity::velocity, now.velocity[2 * node + d]));
-    for (const ContactForce& contact : now.contact_forces)
-        if (contact.node == v.hovered.node)
-            line("contact " + scene.contacts[static_cast<std::size_t>(contact.pair)].name,
-                 quantity_text(scene.units, Quantity::force, std::hypot(contact.force[0], contact.force[1])));
-    ImGui::TextDisabled("element %d, node %d", v.hovered.cell, v.hovered.node);
-    ImGui::EndTooltip();
+    if (m.clicked &&
+        (ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseDown(ImGuiMouseButton_Right)))
+        m.clicked.reset();
+    if (m.clicked && ImGui::GetTime() > *m.clicked + io.MouseDoubleClickTime) {
+        m.clicked.reset();
+        open = true;
+        ImGui::SetNextWindowPos({m.click_at[0], m.click_at[1]});
+    }
+    if (open) ImGui::OpenPopup("viewport.menu");
+}
+
+/// The surfaces of pairs are looked up when they are first to be seen.
+void choose_sides(Workbench& w) {
+    ViewportMarks& m = w.marks;
+    const bool wanted = m.pairs != ViewportMarks::Pairs::none || m.hovered_pair;
+    if (wanted && m.sides.empty() && m.setup) m.sides = render::contact_sides(*m.setup);
 }
 
 }  // namespace
@@ -175,13 +172,16 @@ void show_viewport(Workbench& w, const PanelArea& area) {
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
     paint_beneath(w, *v.view, v.drawn, w.screen.scale(), canvas);
     v.view->paint(canvas);
+    choose_sides(w);
     paint_above(w, *v.view, v.drawn, w.screen.scale(), canvas);
     ink.PopClipRect();
     ImGui::SetCursorScreenPos(low);
     ImGui::InvisibleButton("viewport", {area.width, area.height});
     w.names.name("viewport");
     navigate(w, area);
-    show_values(w);
+    open_menu(w);
+    show_place_menu(w);
+    show_values_under_mouse(w);
 }
 
 }  // namespace percuss::app

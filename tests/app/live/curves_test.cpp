@@ -71,8 +71,8 @@ TEST(Curves, AScenesPlotsHaveTheMainDirectionOpen) {
         if (!plot.folded) open.push_back(plot.name);
         for (const CurveInfo& curve : plot.curves) EXPECT_EQ(columns[curve.column].quantity, plot.quantity);
     }
-    EXPECT_THAT(std::vector(open.begin(), open.begin() + 4),
-                ElementsAre("forces.axial", "velocities.axial", "energies", "step"));
+    EXPECT_THAT(std::vector(open.begin(), open.begin() + 5),
+                ElementsAre("forces.axial", "events", "velocities.axial", "energies", "step"));
     EXPECT_EQ(columns[plots[0].curves[0].column].name, "contact.impact.axial");
     EXPECT_EQ(plots[0].curves[0].label, "impact");
 }
@@ -105,6 +105,79 @@ TEST(Fuzzy, LettersInOrderClosestFirst) {
     EXPECT_THAT(fuzzy_matches("RD", scenes), ElementsAre("scenes/hard/narrow-lid.toml", "scenes/rods.toml"));
     EXPECT_THAT(fuzzy_matches("xyz", scenes), ElementsAre());
     EXPECT_EQ(fuzzy_matches("", scenes), scenes);
+}
+
+TEST(Curves, APastStandsBeforeTheRows) {
+    auto history = chatter(3);
+    Curves curves;
+    EXPECT_EQ(curves.rows(), 0U);
+    curves.follow(history, {-0.2, 7, -0.1, 8});
+    ASSERT_EQ(curves.rows(), 5U);
+    EXPECT_EQ(curves.times()[1], -0.1);
+    EXPECT_EQ(curves.column(1)[0], 7);
+    EXPECT_EQ(curves.column(1)[2], -1);
+    history->append(std::array{0.003, 42.0});
+    curves.follow(history);
+    ASSERT_EQ(curves.rows(), 6U);
+    EXPECT_EQ(curves.column(1)[5], 42);
+    curves.follow(chatter(2));
+    EXPECT_EQ(curves.rows(), 2U) << "another history has no such past";
+}
+
+/// A counter that goes up by `by[k]` in step k, one step a unit of time.
+Curves counter(const std::vector<double>& by) {
+    auto history = std::make_shared<History>(
+        std::vector<HistoryColumn>{{"time", Quantity::time}, {"count", Quantity::dimensionless}});
+    double sum = 0;
+    for (std::size_t k = 0; k < by.size(); ++k)
+        history->append(std::array{static_cast<double>(k), sum += by[k]});
+    Curves curves;
+    curves.follow(history);
+    return curves;
+}
+
+TEST(Rates, CountTheEventsOfAWindow) {
+    Curves curves = counter({2, 0, 0, 3, 1, 0, 0, 0, 0, 5});
+    const MinMaxPyramid& counts = curves.column(1);
+    EXPECT_EQ(rate_at(curves, counts, 3.5, 2), 2) << "[2.5, 4.5): steps 3 and 4";
+    EXPECT_EQ(rate_at(curves, counts, 3.5, 1), 3) << "[3, 4): step 3";
+    EXPECT_EQ(rate_at(curves, counts, 6.5, 2), 0);
+    EXPECT_EQ(rate_at(curves, counts, 0, 2), 2) << "cut at the start: [0, 1)";
+    EXPECT_EQ(rate_at(curves, counts, 9, 2), 5) << "cut at the end, which belongs to it";
+    EXPECT_EQ(rate_at(curves, counts, 20, 2), 0);
+}
+
+TEST(Rates, NoEventIsLostHoweverFewPixelsThereAre) {
+    std::vector<double> by(3000, 0);
+    for (const std::size_t k : {1U, 777U, 778U, 1500U, 2999U}) by[k] = 4;
+    Curves curves = counter(by);
+    for (const int parts : {7, 50, 400}) {
+        std::vector<CurvePoint> points;
+        rates(curves, curves.column(1), 0, 2999, parts, 1, points);
+        ASSERT_EQ(points.size(), static_cast<std::size_t>(parts));
+        double sum = 0;
+        for (const CurvePoint& point : points) sum += point.value * 2999.0 / parts;
+        EXPECT_NEAR(sum, 20, 1e-9);
+    }
+    std::vector<CurvePoint> points;
+    rates(curves, curves.column(1), 770, 786, 16, 2, points);
+    for (const CurvePoint& point : points)
+        EXPECT_EQ(point.value > 0, std::abs(point.time - 777.5) <= 1.5) << point.time;
+}
+
+TEST(Plots, ChangesOfContactsAreShownAsARate) {
+    const Scene scene;
+    const auto plots = plots_of(scene, {{"time", Quantity::time},
+                                        {"contact.a.x", Quantity::force},
+                                        {"contact.a.changes", Quantity::dimensionless},
+                                        {"contact.b.changes", Quantity::dimensionless}});
+    const auto events =
+        std::find_if(plots.begin(), plots.end(), [](const PlotInfo& p) { return p.name == "events"; });
+    ASSERT_NE(events, plots.end());
+    EXPECT_TRUE(events->rate);
+    ASSERT_EQ(events->curves.size(), 2U);
+    EXPECT_EQ(events->curves[1].label, "b");
+    EXPECT_EQ(events->curves[1].column, 3U);
 }
 
 }  // namespace
