@@ -34,7 +34,8 @@ struct SolverState {
     std::shared_ptr<const ContactMethod> contact;
     StepSize step_size;  ///< the control in force; filled by save()
     double time = 0, dt = 0, critical_step = 0;
-    std::int64_t step = 0, next_critical_step = 0;
+    std::int64_t step = 0;
+    double strain_since_critical = 1;  ///< bound of the strain of any element since critical_step was evaluated
 };
 
 /// Why a run cannot go on.
@@ -113,6 +114,7 @@ class Solver {
     std::optional<Divergence> internal_forces();
 
     void predict_chunk(const NodeChunk& chunk, NodeSums& sums);
+    [[nodiscard]] double bound_strain() const;
     void switch_prescribed();
     void impose_velocities(NodeSums& sums);
     void stresses_at_predicted_positions();
