@@ -38,7 +38,8 @@ struct SolverState {
     std::shared_ptr<const InFlight> in_force;     ///< values that can change in flight; filled by save()
     std::shared_ptr<const InFlight> critical_of;  ///< the values that critical_step was found with
     double time = 0, dt = 0, critical_step = 0;
-    std::int64_t step = 0, next_critical_step = 0;
+    std::int64_t step = 0;
+    double strain_since_critical = 1;  ///< bound of the strain of any element since critical_step was evaluated
 };
 
 /// Why a run cannot go on.
@@ -125,6 +126,7 @@ class Solver {
     std::optional<Divergence> internal_forces();
 
     void predict_chunk(const NodeChunk& chunk, NodeSums& sums);
+    [[nodiscard]] double bound_strain() const;
     void switch_prescribed();
     void impose_velocities(NodeSums& sums);
     void stresses_at_predicted_positions();

@@ -65,7 +65,7 @@ void Solver::read_probes() {
 
 std::optional<Divergence> Solver::choose_step(PhaseTimer& timer) {
     const bool other_values = state_.critical_of != in_force_ && !bounds_elements(*state_.critical_of);
-    if (state_.step >= state_.next_critical_step || other_values) {
+    if (state_.strain_since_critical >= 0.05 || other_values) {
         evaluate_critical_step();
         timer.book(statistics_.seconds.critical_step);
     }
@@ -118,27 +118,7 @@ void Solver::evaluate_critical_step() {
         statistics_.critical_step_initial = statistics_.critical_step_min = state_.critical_step;
     statistics_.critical_step_min = std::min(statistics_.critical_step_min, state_.critical_step);
 
-    const Node* nodes = state_.nodes.data();
-    // The next evaluation comes before any element can have been strained by 5 %: no strain rate exceeds the
-    // range of its body's velocities over its size, which the body's fastest wave crosses in no less than a
-    // critical step.
-    double strain_per_step = 0;
-    for (const Batch& batch : batches_) {
-        const MeshBody& body = setup_->mesh.bodies[static_cast<std::size_t>(batch.body)];
-        double lowest[2] = {nodes[body.node_begin].v[0], nodes[body.node_begin].v[1]},
-               most[2] = {lowest[0], lowest[1]};
-        for (std::int32_t n = body.node_begin; n < body.node_end; ++n) {
-            for (int d = 0; d < 2; ++d) {
-                lowest[d] = std::min(lowest[d], nodes[n].v[d]);
-                most[d] = std::max(most[d], nodes[n].v[d]);
-            }
-        }
-        const double wave_speed = std::sqrt(batch.material.p_wave / batch.material.density);
-        strain_per_step =
-            std::max(strain_per_step, std::hypot(most[0] - lowest[0], most[1] - lowest[1]) / wave_speed);
-    }
-    state_.next_critical_step =
-        state_.step + static_cast<std::int64_t>(std::clamp(0.05 / (strain_per_step + 1e-6), 1.0, 64.0));
+    state_.strain_since_critical = 0;
 }
 
 void Solver::predict() {
@@ -159,7 +139,29 @@ void Solver::predict() {
         auto& momentum = ledger.body_momentum[static_cast<std::size_t>(node_chunks_[k].body)];
         for (std::size_t d = 0; d < 2; ++d) momentum[d] += node_sums_[k].momentum[d];
     }
+    state_.strain_since_critical += bound_strain();
     if (!imposed_.prescribed.empty()) impose_velocities(sums_);
+}
+
+/// By how much this step can strain an element: no strain rate exceeds the range of its body's velocities
+/// over its size, which the body's fastest wave crosses in no less than a critical step. Something is added
+/// so that 64 steps at rest come to an evaluation, too.
+double Solver::bound_strain() const {
+    double strain = 0;
+    for (std::size_t first = 0, last = 0; first < node_chunks_.size(); first = last) {
+        std::array<double, 2> lowest = node_sums_[first].lowest, highest = node_sums_[first].highest;
+        const std::int32_t body = node_chunks_[first].body;
+        for (last = first + 1; last < node_chunks_.size() && node_chunks_[last].body == body; ++last) {
+            for (std::size_t d = 0; d < 2; ++d) {
+                lowest[d] = std::min(lowest[d], node_sums_[last].lowest[d]);
+                highest[d] = std::max(highest[d], node_sums_[last].highest[d]);
+            }
+        }
+        const ElasticConstants& material = batches_[static_cast<std::size_t>(body)].material;
+        strain = std::max(strain, std::hypot(highest[0] - lowest[0], highest[1] - lowest[1]) /
+                                      std::sqrt(material.p_wave / material.density));
+    }
+    return strain + 0.05 / 64;
 }
 
 /// Velocities are given for t = 0 and wanted half a step earlier: known accelerations are taken back.
@@ -187,6 +189,7 @@ void Solver::predict_chunk(const NodeChunk& chunk, NodeSums& sums) {
     const double* external = loads_.none() ? nullptr : external_.data();
     // Both directions at once; sums stay in registers until the chunk is done.
     Double2 kinetic{}, internal_before{}, internal_after{}, external_before{}, external_after{}, momentum{};
+    Double2 lowest = load_pair(state_.nodes[static_cast<std::size_t>(chunk.begin)].v), highest = lowest;
     for (auto n = static_cast<std::size_t>(chunk.begin); n < static_cast<std::size_t>(chunk.end); ++n) {
         Double2 f{};
         const auto end = static_cast<std::size_t>(corner_begin_[n + 1]);
@@ -204,6 +207,8 @@ void Solver::predict_chunk(const NodeChunk& chunk, NodeSums& sums) {
         internal_before += f * before;
         internal_after += f * after;
         momentum += mass_[n] * after;
+        lowest = smaller(after, lowest);
+        highest = larger(after, highest);
         store_pair(node.v, after);
         store_pair(node.x, load_pair(node.x) + dt * after);
         store_pair(&internal_[2 * n], f);
@@ -214,6 +219,8 @@ void Solver::predict_chunk(const NodeChunk& chunk, NodeSums& sums) {
     sums.external_before = external_before[0] + external_before[1];
     sums.external_after = external_after[0] + external_after[1];
     sums.momentum = {momentum[0], momentum[1]};
+    sums.lowest = {lowest[0], lowest[1]};
+    sums.highest = {highest[0], highest[1]};
 }
 
 /// Nodes are held while a motion is prescribed for them and free otherwise; of two motions at a time the one

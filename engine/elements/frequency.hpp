@@ -98,13 +98,33 @@ template <class Real>
             2.0 * material.viscosity_quadratic * length * magnitude(rate));
 }
 
+/// What stresses add to the stiffness, per volume and square of a velocity gradient L: as an element moves
+/// on, its forces are turned, and stretched with its sides. The Kirchhoff deviator tau does no more than the
+/// magnitude of its largest principal value, and |tau| in the plane for its own turning (the commutator of
+/// Jaumann's rate); a tensile mean stress acts as it is. A pressure only softens what it acts along, and what
+/// it stiffens, shear, stays below the bulk modulus at that pressure. [stress]
+template <class Real>
+[[gnu::always_inline]] inline Real stress_stiffness(Real m, Real d, Real s, Real inverse_ratio, Real mean) {
+    const Real in_plane = square_root(Real(d * d + s * s)), middle = magnitude(m);
+    const Real principal = largest(Real(middle + in_plane), Real(2.0 * middle));
+    return inverse_ratio * (principal + in_plane) + largest(mean, Real(0.0 * mean));
+}
+
+/// Larger eigenvalue of a symmetric 2 x 2 matrix.
+template <class Real>
+[[gnu::always_inline]] inline Real larger_eigenvalue(Real xx, Real xy, Real yy) {
+    const Real half = 0.5 * (xx - yy);
+    return 0.5 * (xx + yy) + square_root(Real(half * half + xy * xy));
+}
+
 /// One-point quads and triangles: in the space of strains and hourglass modes, omega^2 = rho(C B M^-1 B^T), a
 /// 6 x 6 problem (rr, zz, hoop, shear, hourglass x, y) instead of an 8 x 8 one.
 template <class Real, Geometry geometry, int corners, bool hourglass>
 [[gnu::always_inline]] inline Real strain_space_bound(const Real (&bx)[4], const Real (&by)[4],
                                                       const Real (&hoop)[4], const Real (&gamma)[4],
                                                       const Real (&mx)[4], const Real (&my)[4], Real volume,
-                                                      Real stiffness, const Moduli<Real, geometry>& c) {
+                                                      Real stiffness, const Moduli<Real, geometry>& c,
+                                                      Real stressed) {
     const auto dot = [&](const Real(&a)[4], const Real(&b)[4], const Real(&m)[4]) {
         Real sum = a[0] * b[0] * m[0];
         for (int i = 1; i < corners; ++i) sum += a[i] * b[i] * m[i];
@@ -122,7 +142,11 @@ template <class Real, Geometry geometry, int corners, bool hourglass>
     g.a[0][3] = g.a[3][0] = dot(bx, by, mx) * inverse;
     g.a[1][3] = g.a[3][1] = dot(by, bx, my) * inverse;
     g.a[2][3] = g.a[3][2] = dot(hoop, by, mx) * inverse;
-    g.a[3][3] = (dot(by, by, mx) + dot(bx, bx, my)) * inverse;
+    const Real yy_x = dot(by, by, mx) * inverse, xx_y = dot(bx, bx, my) * inverse;
+    g.a[3][3] = yy_x + xx_y;
+    // The gradient of x velocities, then that of y velocities, which do not couple in its square.
+    const Real gradient = largest(Real(larger_eigenvalue(g.a[0][0], g.a[0][3], yy_x) + g.a[2][2]),
+                                  larger_eigenvalue(xx_y, g.a[1][3], g.a[1][1]));
     if constexpr (hourglass) {
         g.a[4][4] = dot(gamma, gamma, mx);
         g.a[5][5] = dot(gamma, gamma, my);
@@ -149,7 +173,20 @@ template <class Real, Geometry geometry, int corners, bool hourglass>
             a.a[5][j] = back * g.a[5][j];
         }
     }
-    return spectral_radius_bound(a, 2);
+    return spectral_radius_bound(a, 2) + stressed * gradient;
+}
+
+/// stress_stiffness() of the state's first three numbers from `component` on.
+template <class Real>
+[[gnu::always_inline]] inline Real stress_stiffness_of(const Batch& batch, int block, int lane, int component,
+                                                       Real inverse_ratio, Real mean) {
+    const double* state =
+        batch.state.data() + lane +
+        (static_cast<std::size_t>(block) * static_cast<std::size_t>(batch.kernel.state_size) +
+         static_cast<std::size_t>(component)) *
+            block_lanes;
+    return stress_stiffness(load<Real>(state), load<Real>(state + block_lanes),
+                            load<Real>(state + 2 * block_lanes), inverse_ratio, mean);
 }
 
 template <class Real>
@@ -198,8 +235,11 @@ struct QuadOnePointFrequency {
         const Real initial =
             load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
         const Moduli<Real, geometry> moduli(batch.material, Real(b.volume / initial));
+        const Real inverse_ratio = initial / b.volume;
+        const Real stressed = stress_stiffness_of<Real>(
+            batch, block, lane, 0, inverse_ratio, mean_stress_of_volume(inverse_ratio, batch.material.bulk));
         Real omega2 = strain_space_bound<Real, geometry, 4, hourglass>(bx, by, hoop, gamma, mx, my, b.volume,
-                                                                       stiffness, moduli);
+                                                                       stiffness, moduli, stressed);
         if constexpr (viscous) {
             Real volumetric = none, rate = none;
             const Real vx[4] = {n1.vx, n2.vx, n3.vx, n4.vx}, vy[4] = {n1.vy, n2.vy, n3.vy, n4.vy};
@@ -243,14 +283,16 @@ struct TriangleFrequency {
             load<Real>(batch.volume.data() + static_cast<std::size_t>(block) * block_lanes + lane);
         const Real ratio = volume / initial;
         Moduli<Real, geometry> moduli(batch.material, ratio);
-        Real damping = none;
+        Real damping = none, mean = mean_stress_of_volume(Real(initial / volume), batch.material.bulk);
         if constexpr (averaged) {
             const auto shared = mean_nodal_volume<Real>(batch.shared, index);
+            mean = shared.stress;
             moduli = {batch.material, ratio, Real(batch.material.bulk * ratio * shared.inverse_ratio_cubed)};
             damping = shared.damping;
         }
-        Real omega2 =
-            strain_space_bound<Real, geometry, 3, false>(bx, by, hoop, gamma, mx, my, volume, none, moduli);
+        const Real stressed = stress_stiffness_of<Real>(batch, block, lane, 0, Real(initial / volume), mean);
+        Real omega2 = strain_space_bound<Real, geometry, 3, false>(bx, by, hoop, gamma, mx, my, volume, none,
+                                                                   moduli, stressed);
         if constexpr (viscous && averaged) {
             Real volumetric = none;
             for (int i = 0; i < 3; ++i) {
@@ -350,7 +392,10 @@ struct QuadMeanDilatationFrequency {
                 shear[4 + i] = nx[i] * root[4 + i];
             }
             constexpr double share = geometry == Geometry::plane_stress ? 0.5 : 1.0 / 3.0;
-            const Real factor = (batch.material.shear / ratio) * radius * jacobian;
+            const Real weight = radius * jacobian, factor = (batch.material.shear / ratio) * weight;
+            const Real stressed = weight * stress_stiffness_of<Real>(
+                                               batch, block, lane, 3 * point, Real(1.0 / ratio),
+                                               mean_stress_of_volume(Real(1.0 / ratio), batch.material.bulk));
             for (int i = 0; i < 8; ++i)
                 for (int j = 0; j < 8; ++j) {
                     const Real trace_i = row11[i] + row22[i] + row33[i],
@@ -358,6 +403,12 @@ struct QuadMeanDilatationFrequency {
                     k.a[i][j] += factor * (2.0 * (row11[i] * row11[j] + row22[i] * row22[j] +
                                                   row33[i] * row33[j] - share * trace_i * trace_j) +
                                            shear[i] * shear[j]);
+                }
+            for (int i = 0; i < 4; ++i)
+                for (int j = 0; j < 4; ++j) {
+                    const Real gradient = stressed * (nx[i] * nx[j] + ny[i] * ny[j]);
+                    k.a[i][j] += root[i] * root[j] * (gradient + stressed * nh[i] * nh[j]);
+                    k.a[4 + i][4 + j] += root[4 + i] * root[4 + j] * gradient;
                 }
         }
         Real omega2 = spectral_radius_bound(k, 3);

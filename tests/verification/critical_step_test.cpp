@@ -50,6 +50,33 @@ TEST(CriticalStep, FollowsTheDeformation) {
     EXPECT_GT(s.critical_step_min, 0.5 * s.critical_step_initial);
 }
 
+TEST(CriticalStep, IsEvaluatedInTimeInABodyThatWasAtRest) {
+    // A driven press runs into a block at rest: nothing moved in the block when its step was last evaluated.
+    RecordedRun run(
+        scene_of(scene_head("plane strain", 1.0, 0.3) +
+                 box_body("block", {0, 0, 10, 10}, {10, 10}, "",
+                          "[[body.constraint]]\nfixed = [\"x\"]\n[[body.constraint]]\nedge = "
+                          "\"bottom\"\nfixed = [\"y\"]\n") +
+                 box_body("press", {-2, 10.5, 12, 12}, {3, 1}, "",
+                          "[[body.prescribed]]\ndirection = \"y\"\nvelocity = -200\n"
+                          "[[body.prescribed]]\ndirection = \"x\"\nvelocity = 0\n") +
+                 "[[contact]]\nname = \"hit\"\nmaster = \"block.top\"\nslave = \"press.bottom\"\n"));
+    double lowest = 1;
+    while (!run.solver.finished() && run.solver.time() < 0.02) {
+        ASSERT_FALSE(run.solver.step());
+        double highest = 0;
+        for (const Batch& batch : run.solver.batches())
+            highest = std::max(highest,
+                               batch.kernel.frequency(batch, run.solver.nodes().data(), 0, batch.blocks()));
+        // A strain of 5 % raises a frequency by 10 % (modulus and size), and so may the step in which it
+        // comes.
+        ASSERT_LT(run.solver.critical_step() * std::sqrt(highest) / 2, 1.25) << run.solver.time();
+        lowest =
+            std::min(lowest, 2 / std::sqrt(highest) / run.solver.statistics(false).critical_step_initial);
+    }
+    EXPECT_LT(lowest, 0.75) << "the press has hardly squeezed the block";
+}
+
 TEST(CriticalStep, AboveItAFixedStepIsRefused) {
     EXPECT_THROW(Solver(rods({"model.step.fixed=0.0004"})), SceneError);
 }

@@ -139,6 +139,74 @@ TEST(CriticalStep, EstimateKnowsHeldNodes) {
     }
 }
 
+/// 2 / omega_max about the present, stressed state: differences of the kernel's forces from it. The tangent
+/// of Jaumann's rate is not quite symmetric: complex eigenvalues count by their magnitude.
+double true_step_here(ElementMesh& m) {
+    const auto state = m.batch.state;
+    const auto nodes = m.nodes;
+    const auto moved = [&](const Eigen::VectorXd& u) {
+        m.batch.state = state;
+        m.nodes = nodes;
+        return m.move(u);
+    };
+    Eigen::MatrixXd k(m.dofs(), m.dofs());
+    const double small = 1e-6;
+    for (Eigen::Index j = 0; j < m.dofs(); ++j) {
+        const Eigen::VectorXd u = small * Eigen::VectorXd::Unit(m.dofs(), j);
+        k.col(j) = (moved(u) - moved(-u)) / (2 * small);
+    }
+    m.batch.state = state;
+    m.nodes = nodes;
+    for (Eigen::Index j = 0; j < m.dofs(); ++j) k.row(j) /= m.mass[static_cast<std::size_t>(j / 2)];
+    const auto free = m.free_dofs();
+    const Eigen::MatrixXd reduced = k(free, free);
+    return 2 / std::sqrt(reduced.eigenvalues().cwiseAbs().maxCoeff());
+}
+
+TEST(CriticalStep, EstimateHoldsAtLargeStrainsAndStresses) {
+    struct Case {
+        const char* name;
+        double xx, xy, yy;  // of the deformation gradient
+    };
+    for (const Case& c : {Case{"squeezed", 1, 0, 0.5},
+                          {"to a fifth", 1, 0, 0.2},
+                          {"stretched", 1, 0, 1.8},
+                          {"all round", 0.6, 0, 0.6},
+                          {"blown up", 1.5, 0, 1.5},
+                          {"sheared", 1, 0.8, 1},
+                          {"drawn", 0.6, 0, 1.6}}) {
+        for (const ElementKind kind : all_kinds) {
+            for (const Geometry geometry : all_geometries) {
+                ElementMesh::Options o;
+                o.kind = kind;
+                o.geometry = geometry;
+                o.columns = o.rows = 3;
+                o.box = {1, 0, 4, 3};
+                o.distortion = 0.15;
+                ElementMesh m(o);
+                constexpr int steps = 400;
+                for (int k = 0; k < steps; ++k) {
+                    const double t0 = static_cast<double>(k) / steps, t1 = t0 + 1.0 / steps;
+                    const auto at = [&](double t, const Vec2& x) {
+                        const double sheared = x.x() + t * c.xy * x.y();
+                        return Vec2(sheared * (1 + t * (c.xx - 1)), x.y() * (1 + t * (c.yy - 1)));
+                    };
+                    Eigen::VectorXd u(m.dofs());
+                    for (std::size_t n = 0; n < m.nodes.size(); ++n)
+                        u.segment<2>(static_cast<Eigen::Index>(2 * n)) =
+                            at(t1, m.mesh.nodes[n]) - at(t0, m.mesh.nodes[n]);
+                    m.move(u);
+                }
+                for (Node& node : m.nodes) node.v[0] = node.v[1] = 0;
+                const double ratio = m.estimated_step() / true_step_here(m);
+                EXPECT_LE(ratio, 1 + 1e-5) << c.name << ", " << name_of(kind) << ", " << name_of(geometry);
+                RecordProperty(std::string(c.name) + " " + name_of(kind) + " " + name_of(geometry),
+                               std::to_string(ratio));
+            }
+        }
+    }
+}
+
 void add_noise(ElementMesh& m, double speed) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> noise(-speed, speed);
