@@ -21,6 +21,7 @@ constexpr unsigned at_once = 0x009e73;
 TEST_F(DesignWindowTest, WhatCanActAtOnceDoesAndGoesBackToTheFile) {
     play(R"(
 wait time = 0
+frames 3
 click "design.material steel"
 frames 2
 click run.step
@@ -48,6 +49,7 @@ expect messages = ""
 TEST_F(DesignWindowTest, AMaterialBuildsAnewAndTheWindowSaysHowLongThatTook) {
     play(R"(
 wait time = 0
+frames 3
 click "design.material steel"
 frames 2
 expect rebuild.seconds < 30
@@ -74,6 +76,7 @@ wait material.steel.young = 210
 TEST_F(DesignWindowTest, ADoubleClickTypesAValue) {
     play(R"(
 wait time = 0
+frames 3
 double-click parameters.speed 0.5 0.5
 frames 2
 key Ctrl+A
@@ -96,6 +99,7 @@ expect messages = ""
 TEST_F(DesignWindowTest, MarksSayWhatTheyTake) {
     play(R"(
 wait time = 0
+frames 3
 frames 2
 widgets
 screenshot marks.png
@@ -112,6 +116,7 @@ screenshot marks.png
 TEST_F(DesignWindowTest, TheTimeSpentNamesTheEffectsThatAreOn) {
     play(R"(
 wait time = 0
+frames 3
 do run.toggle
 wait status = finished
 click header.picture
