@@ -22,7 +22,9 @@ void show_reference(Workbench& w) {
     const auto differences = peak_differences(w.plots.plots, w.plots.columns, w.plots.curves, *w.reference);
     ImGui::TextDisabled("peaks up to the time that both have");
     if (!ImGui::BeginTable("peaks", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) return;
-    for (const char* heading : {"", "now", "reference", "%"}) ImGui::TableSetupColumn(heading);
+    // In a narrow panel it is the name that is cut off.
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    for (const char* heading : {"now", "reference", "%"}) ImGui::TableSetupColumn(heading);
     ImGui::TableHeadersRow();
     for (const PeakDifference& peak : differences) {
         // Of the magnitude: a force of compression that grows, grows.
