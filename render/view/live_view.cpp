@@ -189,6 +189,8 @@ void LiveView::paint(Canvas& canvas) const {
     if (view.options.forces)
         taken = paint_force_arrows(canvas, *view.now, view.mesh.plane, view.fit, view.model, view.forces,
                                    view.cell_size, s);
+    // In the upper right corner whoever shows the view writes the time.
+    taken.push_back({view.model.right() - 160 * s, view.model.top() - 36 * s, 160 * s, 36 * s});
     if (view.options.velocities)
         paint_motion(canvas, *view.now, view.mesh.plane, view.fit, view.model, s, view.mesh.extent->fastest,
                      0.1 * std::min(view.size[0], view.size[1]), std::move(taken));

@@ -217,12 +217,13 @@ void show_view_settings(Workbench& w) {
     choose_range(w, scene);
     choose_colours(w);
     const float half = 0.54F * ImGui::GetContentRegionAvail().x + ImGui::GetCursorPosX();
+    const bool beside = half > 10 * ImGui::GetFontSize();  // else there is room for one box a line
     command_box(w, "view.edges");
-    ImGui::SameLine(half);
+    if (beside) ImGui::SameLine(half);
     command_box(w, "view.velocities");
     if (scene.geometry == Geometry::axisymmetric) {
         command_box(w, "view.mirror");
-        if (!scene.contacts.empty()) ImGui::SameLine(half);
+        if (beside && !scene.contacts.empty()) ImGui::SameLine(half);
     }
     if (!scene.contacts.empty()) {
         command_box(w, "view.forces");
