@@ -26,7 +26,7 @@ template <class VectorOf>
     double sum = 0;
     for (std::size_t slot = 0; slot < 3; ++slot) {
         const auto v = of(row.node[slot]);
-        sum += row.share[slot] * (row.normal[0] * v[0] + row.normal[1] * v[1]);
+        sum += row.share[slot] * row.normal[0] * v[0] + row.share[slot] * row.normal[1] * v[1];
     }
     return sum;
 }

@@ -173,9 +173,9 @@ void JointContact::add_impulse(const ContactRow& row, const PredictedMotion& mot
         char& listed = listed_[static_cast<std::size_t>(node)];
         if (!listed) motion.touched->push_back(node);
         listed = 1;
-        const double share = motion.kick * row.force * row.share[slot];
-        motion.impulse[2 * node] += share * row.normal[0];
-        motion.impulse[2 * node + 1] += share * row.normal[1];
+        const double impulse = motion.kick * row.force;
+        motion.impulse[2 * node] += impulse * (row.share[slot] * row.normal[0]);
+        motion.impulse[2 * node + 1] += impulse * (row.share[slot] * row.normal[1]);
     }
 }
 
