@@ -27,13 +27,13 @@ JointContact::JointContact(const Scene& scene, const Mesh& mesh)
         pairs_.push_back(
             {NearSearch(std::move(master), std::move(slave)), m, s, std::vector<char>(count, 0)});
     }
-    rows_.reserve(masters);
+    rows_.reserve(masters, 3 * masters);
     chosen_.reserve(masters);
     in_problem_.reserve(masters);
     penetration_.reserve(masters);
     force_.reserve(masters);
     standing_.reserve(masters);
-    coupling_.reserve(masters);
+    coupling_.reserve(masters, 3 * masters);
     solver_.reserve(masters, 32 * masters);
 }
 
@@ -47,8 +47,8 @@ std::size_t JointContact::add_surface(const Surface& surface) {
     return static_cast<std::size_t>(same - surfaces_.begin());
 }
 
-std::span<const ContactRow> JointContact::rows(std::size_t pair) const {
-    return std::span(rows_).subspan(pairs_[pair].rows_begin, pairs_[pair].rows_end - pairs_[pair].rows_begin);
+RowSpan JointContact::rows(std::size_t pair) const {
+    return rows_.part(pairs_[pair].rows_begin, pairs_[pair].rows_end);
 }
 
 void JointContact::restart(const std::vector<std::vector<std::int32_t>>& active) {
@@ -116,7 +116,7 @@ void JointContact::choose_rows() {
     for (const Pair& pair : pairs_) {
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
             const ContactRow& row = rows_[k];
-            if (row.penetration <= 0 && !pair.pressed[static_cast<std::size_t>(row.master)]) continue;
+            if (row.penetration <= 0 && !pair.pressed[static_cast<std::size_t>(row.owner)]) continue;
             in_problem_[k] = 1;
             chosen_.push_back(static_cast<std::int32_t>(k));
         }
@@ -131,7 +131,7 @@ void JointContact::solve(PredictedMotion& motion, ContactSolverStatistics& stati
 }
 
 void JointContact::assemble(const PredictedMotion& motion) {
-    coupling_.assemble(rows_, chosen_, motion.inverse_mass, motion.dt * motion.kick);
+    coupling_.assemble(rows_.all(), chosen_, motion.inverse_mass, motion.dt * motion.kick);
     const std::size_t count = chosen_.size();
     penetration_.resize(count);
     force_.resize(count);
@@ -164,25 +164,25 @@ void JointContact::clear_impulses(const PredictedMotion& motion) {
 }
 
 void JointContact::add_impulses(const PredictedMotion& motion) {
-    for (const std::int32_t k : chosen_) add_impulse(rows_[static_cast<std::size_t>(k)], motion);
+    const RowSpan rows = rows_.all();
+    for (const std::int32_t k : chosen_) add_impulse(rows, rows[static_cast<std::size_t>(k)], motion);
 }
 
-void JointContact::add_impulse(const ContactRow& row, const PredictedMotion& motion) {
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-        const std::int32_t node = row.node[slot];
+void JointContact::add_impulse(const RowSpan& rows, const ContactRow& row, const PredictedMotion& motion) {
+    const double impulse = motion.kick * row.force;
+    for (const RowTerm& term : rows.terms(row)) {
+        const std::int32_t node = term.node;
         char& listed = listed_[static_cast<std::size_t>(node)];
         if (!listed) motion.touched->push_back(node);
         listed = 1;
-        const double impulse = motion.kick * row.force;
-        motion.impulse[2 * node] += impulse * (row.share[slot] * row.normal[0]);
-        motion.impulse[2 * node + 1] += impulse * (row.share[slot] * row.normal[1]);
+        motion.impulse[2 * node] += impulse * term.g[0];
+        motion.impulse[2 * node + 1] += impulse * term.g[1];
     }
 }
 
-/// By how much the impulses so far move a row's master node along the row's normal, away from the slave side,
-/// within the step [length].
-double JointContact::opening(const ContactRow& row, const PredictedMotion& motion) {
-    return motion.dt * along(row, [&](std::int32_t node) {
+/// By how much the impulses so far open a row's gap within the step [length].
+double JointContact::opening(std::span<const RowTerm> terms, const PredictedMotion& motion) {
+    return motion.dt * along(terms, [&](std::int32_t node) {
                const double *inverse_mass = motion.inverse_mass + 2 * node,
                             *impulse = motion.impulse + 2 * node;
                return std::array{inverse_mass[0] * impulse[0], inverse_mass[1] * impulse[1]};
@@ -203,7 +203,7 @@ bool JointContact::add_violated(const PredictedMotion& motion) {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         if (in_problem_[k]) continue;
         const ContactRow& row = rows_[k];
-        if (row.penetration - opening(row, motion) <= violation_tolerance * deepest) continue;
+        if (row.penetration - opening(rows_.terms(row), motion) <= violation_tolerance * deepest) continue;
         in_problem_[k] = 1;
         added = true;
     }
@@ -234,7 +234,7 @@ void JointContact::remember() {
     for (Pair& pair : pairs_) {
         std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k)
-            if (rows_[k].force > 0) pair.pressed[static_cast<std::size_t>(rows_[k].master)] = 1;
+            if (rows_[k].force > 0) pair.pressed[static_cast<std::size_t>(rows_[k].owner)] = 1;
     }
 }
 

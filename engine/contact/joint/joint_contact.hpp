@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <span>
 #include <typeinfo>
 #include <vector>
 
@@ -24,7 +25,7 @@ class JointContact : public ContactMethod {
     JointContact(const Scene& scene, const Mesh& mesh);
 
     void resolve(PredictedMotion& motion, RunStatistics& statistics) override;
-    [[nodiscard]] std::span<const ContactRow> rows(std::size_t pair) const override;
+    [[nodiscard]] RowSpan rows(std::size_t pair) const override;
     [[nodiscard]] double penetration(std::size_t pair, const Node*) const override {
         return pairs_[pair].search.deepest();
     }
@@ -46,14 +47,14 @@ class JointContact : public ContactMethod {
     void solve_forces(ContactSolverStatistics& statistics);
     static void clear_impulses(const PredictedMotion& motion);
     void add_impulses(const PredictedMotion& motion);
-    void add_impulse(const ContactRow& row, const PredictedMotion& motion);
-    [[nodiscard]] static double opening(const ContactRow& row, const PredictedMotion& motion);
+    void add_impulse(const RowSpan& rows, const ContactRow& row, const PredictedMotion& motion);
+    [[nodiscard]] static double opening(std::span<const RowTerm> terms, const PredictedMotion& motion);
     /// The largest of the predicted penetrations in the problem; 0 when there is none [length].
     [[nodiscard]] double deepest_penetration() const;
     [[nodiscard]] ContactRow& row_at(std::size_t place);  ///< place in the matrix
     [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
 
-    std::vector<ContactRow> rows_;      ///< all that could close in the step, pair by pair
+    ContactRows rows_;                  ///< all that could close in the step, pair by pair
     std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
     Coupling coupling_;                 ///< of the chosen rows
     std::vector<double> penetration_;   ///< per place in the matrix: what the forces have to prevent

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/node_to_side.hpp"
 #include "contact/tolerances.hpp"
 
 namespace percuss {
@@ -74,27 +75,25 @@ inline bool NearSearch::alone_on(const SideView& v, const Memory& memory) const 
 }
 
 inline bool NearSearch::add_row(const StepMotion& motion, std::int32_t master, const Face& face,
-                                bool was_near, std::vector<ContactRow>& rows) {
+                                bool was_near, ContactRows& rows) {
     const SideView& v = face.view;
     if (face.side < 0 || v.gap > 2 * motion.range) return false;
     if (-v.gap > std::max((was_near ? depth_limit : entry_tolerance) * v.length, motion.range)) return false;
     const Side& side = slave_.sides[static_cast<std::size_t>(face.side)];
     const double a = std::clamp(v.a, 0.0, 1.0);
-    ContactRow& row = rows.emplace_back();
-    row.node = {master_.nodes[static_cast<std::size_t>(master)], side.i, side.j};
-    row.share = {1, a - 1, -a};
-    row.normal = {v.nx, v.ny};
+    const std::int32_t node = master_.nodes[static_cast<std::size_t>(master)];
+    ContactRow& row = add_node_to_side(rows, node, side, a, v.nx, v.ny);
     row.side = face.side;
-    row.master = master;
-    const double *n = motion.nodes[row.node[0]].v, *i = motion.nodes[side.i].v, *j = motion.nodes[side.j].v;
-    const double rate = v.nx * (n[0] + row.share[1] * i[0] + row.share[2] * j[0]) +
-                        v.ny * (n[1] + row.share[1] * i[1] + row.share[2] * j[1]);
+    row.owner = master;
+    const double *n = motion.nodes[node].v, *i = motion.nodes[side.i].v, *j = motion.nodes[side.j].v;
+    const double rate =
+        v.nx * (n[0] + (a - 1) * i[0] + -a * j[0]) + v.ny * (n[1] + (a - 1) * i[1] + -a * j[1]);
     row.penetration = -(std::max(v.gap, -motion.recovery) + motion.dt * rate);
     deepest_ = std::max(deepest_, -v.gap);
     return true;
 }
 
-void NearSearch::find(const StepMotion& motion, std::vector<ContactRow>& rows) {
+void NearSearch::find(const StepMotion& motion, ContactRows& rows) {
     deepest_ = 0;
     if (mean_side_ == 0) measure(motion.nodes);
     if (travelled_ + 2 * motion.range >= wake_at_) wake(motion);

@@ -33,7 +33,7 @@ class NearSearch {
     /// Appends the rows of this step in the order of the master chain, with penetration P = -(max(gap,
     /// -recovery) + dt gap rate): how deep the predicted motion would go, counted from a gap that a step may
     /// make good.
-    void find(const StepMotion& motion, std::vector<ContactRow>& rows);
+    void find(const StepMotion& motion, ContactRows& rows);
     /// The step is done. @param relative bound of the relative motion of the surfaces in it, @param slave
     /// that of the slave surface alone [length]
     void advance(double relative, double slave);
@@ -73,7 +73,7 @@ class NearSearch {
     [[nodiscard]] Face face_of(const StepMotion& motion, const Point& x, const Closest& closest) const;
     [[nodiscard]] Face across_valley(const StepMotion& motion, const Point& x, const Face& face) const;
     bool add_row(const StepMotion& motion, std::int32_t master, const Face& face, bool was_near,
-                 std::vector<ContactRow>& rows);
+                 ContactRows& rows);
     [[nodiscard]] SideView view(const StepMotion& motion, std::int32_t side, const Point& x) const;
 
     Surface master_, slave_;
