@@ -22,6 +22,7 @@ struct ContactRow {
     std::int32_t terms = 0;
     std::int32_t master_terms = 0;  ///< how many of them are of the first body
     std::int32_t owner = 0;  ///< the node that the row keeps out, counted within its pair: see RowBuilder
+    std::int32_t key = 0;    ///< of the row within its pair, by which it is known from step to step
     std::int32_t side = 0;   ///< that keeps it out, within its surface; -1: several
     double penetration = 0;  ///< P of the predicted motion [length]
     double force = 0;        ///< C, per radian or unit thickness [force]

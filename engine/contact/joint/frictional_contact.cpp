@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/joint/make_rows.hpp"
+
 namespace percuss {
 namespace {
 
@@ -16,20 +18,23 @@ constexpr int most_rounds = 50;
 
 FrictionalContact::FrictionalContact(const Scene& scene, const Mesh& mesh)
     : JointContact(scene, mesh), tangential_(mesh.node_count(), wall_nodes(mesh)) {
-    std::size_t masters = 0;
+    std::size_t rows = 0, terms = 0;
     for (const ContactPair& pair : scene.contacts) {
         pairs_.push_back({pair.friction});
-        if (pair.friction > 0) masters += make_surface(mesh, pair.master).nodes.size();
+        if (pair.friction == 0) continue;
+        const RowBuilder::Size size = make_rows(scene, mesh, pair)->size();
+        rows += size.rows;
+        terms += size.terms;
     }
-    tangents_.reserve(masters, 3 * masters);
-    grips_.reserve(masters);
-    all_.reserve(masters);
-    slip_.reserve(masters);
-    limit_.reserve(masters);
-    friction_.reserve(masters);
-    standing_.reserve(masters);
-    tangential_.reserve(masters, 3 * masters);
-    bounded_.reserve(masters, 32 * masters);
+    tangents_.reserve(rows, terms);
+    grips_.reserve(rows);
+    all_.reserve(rows);
+    slip_.reserve(rows);
+    limit_.reserve(rows);
+    friction_.reserve(rows);
+    standing_.reserve(rows);
+    tangential_.reserve(rows, terms);
+    bounded_.reserve(rows, 32 * rows);
 }
 
 RowSpan FrictionalContact::friction_rows(std::size_t pair) const {

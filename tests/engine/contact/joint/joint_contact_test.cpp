@@ -146,12 +146,17 @@ TEST(JointContact, AnswerDoesNotDependOnWhereTheSolverStarts) {
 }
 
 TEST(JointContact, StepsWithoutAllocation) {
-    Solver solver(stack({0, 1, 2, 3, 4}, {"body.c.velocity=[3, -20]", "body.d.velocity=[-10, 0]"}));
-    for (int k = 0; k < 5; ++k) ASSERT_FALSE(solver.step());
-    const std::size_t before = testing::allocations();
-    for (int k = 0; k < 300; ++k) static_cast<void>(solver.step());
-    EXPECT_EQ(testing::allocations() - before, 0U);
-    EXPECT_GT(solver.statistics().contact_solver.most_rows, 15);
+    for (const std::string scheme : {"node-to-side", "symmetric", "segment-to-segment"}) {
+        std::vector<std::string> overrides{"body.c.velocity=[3, -20]", "body.d.velocity=[-10, 0]"};
+        for (const char* pair : {"low", "high", "side-a", "side-b", "side-c"})
+            overrides.push_back(fmt::format("contact.{}.scheme={}", pair, scheme));
+        Solver solver(stack({0, 1, 2, 3, 4}, overrides));
+        for (int k = 0; k < 5; ++k) ASSERT_FALSE(solver.step());
+        const std::size_t before = testing::allocations();
+        for (int k = 0; k < 300; ++k) static_cast<void>(solver.step());
+        EXPECT_EQ(testing::allocations() - before, 0U) << scheme;
+        EXPECT_GT(solver.statistics().contact_solver.most_rows, 15);
+    }
 }
 
 }  // namespace

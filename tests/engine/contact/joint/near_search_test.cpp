@@ -114,6 +114,53 @@ TEST(NearSearch, SharpCornerIsEnteredThroughTheFaceThatTheNodeIsInFrontOf) {
     EXPECT_EQ(normal_of({0.999, 1.001}), (std::array<double, 2>{0, 1}));
 }
 
+// A node that begins inside touches where it is: it may leave, and what it has given up is not taken again.
+TEST(NearSearch, OverlapAtTheStartIsAllowedAndOnlyFalls) {
+    Floor floor;
+    std::vector<Node> nodes = floor.nodes;
+    const Surface master = append_points(nodes, {{3.3, -0.1}});
+    NearRole role;
+    role.overlapping = {0};
+    NearSearch search(master, floor.slave, role);
+    const auto penetration_at = [&](double start, double motion) {
+        nodes.back() = {{3.3, start + motion}, {0, motion}};
+        ContactRows rows;
+        search.find({nodes.data(), 1, 0.05, 1}, rows);
+        search.advance(0.05, 0);
+        return rows.empty() ? -1 : rows[0].penetration;
+    };
+    EXPECT_NEAR(penetration_at(-0.1, 0), 0, 1e-15) << "no kick";
+    EXPECT_NEAR(penetration_at(-0.1, -0.03), 0.03, 1e-15) << "no deeper";
+    EXPECT_NEAR(penetration_at(-0.13, 0), 0.03, 1e-15) << "deeper than it began";
+    EXPECT_NEAR(penetration_at(-0.06, 0), 0, 1e-15) << "has come out a little";
+    EXPECT_NEAR(penetration_at(-0.09, 0), 0.03, 1e-15) << "and does not go back in";
+    EXPECT_NEAR(penetration_at(0.01, 0), -0.01, 1e-15) << "has left";
+    EXPECT_NEAR(penetration_at(-0.02, 0), 0.02, 1e-15);
+}
+
+// Flush blocks: the corner node of the upper stands on the lower, though it hangs over by a hair.
+TEST(NearSearch, CornersOfFlushBodiesStandOnEachOther) {
+    std::vector<Node> nodes;
+    const Surface lower = append_chain(nodes, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true);
+    for (const double hair : {-1e-6, 0.0, 1e-6}) {
+        for (const double depth : {-1e-6, 0.0, 1e-5}) {
+            std::vector<Node> all = nodes;
+            const Surface upper =
+                append_chain(all, {{hair, 1 - depth}, {1 + hair, 1 - depth}, {1 + hair, 2}, {hair, 2}}, true);
+            NearRole role;
+            role.by_facing = true;
+            NearSearch search(upper, lower, role);
+            ContactRows rows;
+            search.find({all.data(), 1, 1e-3, 1}, rows);
+            ASSERT_EQ(rows.size(), 2U) << hair << ", " << depth;
+            for (const NodeRow& row : node_rows(rows.all())) {
+                EXPECT_NEAR(row.normal[1], 1, 1e-15);
+                EXPECT_NEAR(row.penetration, depth, 1e-12);
+            }
+        }
+    }
+}
+
 /// Least distance of a point from the sides at the start of the step.
 double brute_force(const std::vector<Node>& nodes, const Surface& slave, const Node& point, double dt) {
     double least = std::numeric_limits<double>::infinity();
