@@ -13,13 +13,13 @@ std::mutex& hdf5_turn() {
     return turn;
 }
 
-class RecordedRun final : public RunSource {
+class RunFileSource final : public RunSource {
   public:
-    explicit RecordedRun(const std::filesystem::path& file) {
+    explicit RunFileSource(const std::filesystem::path& file) {
         const std::lock_guard lock(hdf5_turn());
         run_.emplace(file);
     }
-    ~RecordedRun() override {
+    ~RunFileSource() override {
         const std::lock_guard lock(hdf5_turn());
         run_.reset();
     }
@@ -47,7 +47,7 @@ class RecordedRun final : public RunSource {
 }  // namespace
 
 std::unique_ptr<RunSource> open_recorded_run(const std::filesystem::path& file) {
-    return std::make_unique<RecordedRun>(file);
+    return std::make_unique<RunFileSource>(file);
 }
 
 }  // namespace percuss::app

@@ -249,12 +249,16 @@ void Solver::change(std::shared_ptr<const InFlight> values) {
     }
 }
 
+void Solver::make_contact(ContactScheme scheme) {
+    contact_scheme_ = scheme;
+    contact_ = make_contact_method(setup_->scene, setup_->mesh, scheme);
+    contact_->change(in_force_->friction, in_force_->contact_solver.recovery_speed);
+}
+
 /// The new method knows positions and velocities only, as at the start of a run, and which master nodes had
 /// force. Not before the next step: until then the old one holds the forces of the last one.
 void Solver::switch_contact() {
-    contact_scheme_ = in_force_->contact_solver.scheme;
-    contact_ = make_contact_method(setup_->scene, setup_->mesh, contact_scheme_);
-    contact_->change(in_force_->friction, in_force_->contact_solver.recovery_speed);
+    make_contact(in_force_->contact_solver.scheme);
     std::vector<std::vector<std::int32_t>> active;
     for (const Pair& pair : pairs_) active.push_back(pair.active);
     contact_->restart(active);
@@ -458,11 +462,7 @@ void Solver::restore(const SolverState& state) {
     state_.active.clear();
     state_.pairs.clear();
     state_.contact.reset();
-    if (contact_ && state.contact_scheme != contact_scheme_) {
-        contact_scheme_ = state.contact_scheme;
-        contact_ = make_contact_method(setup_->scene, setup_->mesh, contact_scheme_);
-        contact_->change(in_force_->friction, in_force_->contact_solver.recovery_speed);
-    }
+    if (contact_ && state.contact_scheme != contact_scheme_) make_contact(state.contact_scheme);
     if (contact_ && state.contact) contact_->become(*state.contact);
     if (contact_ && !state.contact) contact_->restart(state.active);
     average_nodal_volumes(setup_->scene.lagged ? state_.lagged_nodes.data() : state_.nodes.data());

@@ -113,6 +113,7 @@ class Solver {
     void build_chunks();
     void check_fixed_step(const StepSize& step);
     void take_up(const InFlight& values);
+    void make_contact(ContactScheme scheme);  // with the values in force
     void switch_contact();
     [[nodiscard]] bool bounds_elements(const InFlight& values) const;
     [[nodiscard]] double critical_step_of_elements();

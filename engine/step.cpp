@@ -15,6 +15,11 @@
 namespace percuss {
 namespace {
 
+/// The critical step is evaluated anew before any element can have been strained by more than this since the
+/// last time, and in any case after so many steps.
+constexpr double strain_between_evaluations = 0.05;
+constexpr int steps_between_evaluations = 64;
+
 std::pair<std::size_t, std::size_t> share_of(std::size_t count, int part, int parts) {
     const auto p = static_cast<std::size_t>(part), n = static_cast<std::size_t>(parts);
     return {count * p / n, count * (p + 1) / n};
@@ -65,7 +70,7 @@ void Solver::read_probes() {
 
 std::optional<Divergence> Solver::choose_step(PhaseTimer& timer) {
     const bool other_values = state_.critical_of != in_force_ && !bounds_elements(*state_.critical_of);
-    if (state_.strain_since_critical >= 0.05 || other_values) {
+    if (state_.strain_since_critical >= strain_between_evaluations || other_values) {
         evaluate_critical_step();
         timer.book(statistics_.seconds.critical_step);
     }
@@ -145,7 +150,7 @@ void Solver::predict() {
 
 /// By how much this step can strain an element: no strain rate exceeds the range of its body's velocities
 /// over its size, which the body's fastest wave crosses in no less than a critical step. Something is added
-/// so that 64 steps at rest come to an evaluation, too.
+/// so that steps at rest come to an evaluation, too.
 double Solver::bound_strain() const {
     double strain = 0;
     for (std::size_t first = 0, last = 0; first < node_chunks_.size(); first = last) {
@@ -161,7 +166,7 @@ double Solver::bound_strain() const {
         strain = std::max(strain, std::hypot(highest[0] - lowest[0], highest[1] - lowest[1]) /
                                       std::sqrt(material.p_wave / material.density));
     }
-    return strain + 0.05 / 64;
+    return strain + strain_between_evaluations / steps_between_evaluations;
 }
 
 /// Velocities are given for t = 0 and wanted half a step earlier: known accelerations are taken back.
