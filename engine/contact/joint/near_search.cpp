@@ -47,10 +47,9 @@ NearSearch::NearSearch(Surface master, Surface slave, NearRole role)
     if (role_.by_facing) own_sides_ = sides_beside(master_);
 }
 
-/// As deep as they stand: the first look at them says how deep that is.
 void NearSearch::allow_overlap() {
     for (const std::int32_t master : role_.overlapping)
-        memory_[static_cast<std::size_t>(master)].allowance = infinity;
+        memory_[static_cast<std::size_t>(master)].allowance = OverlapAllowance::as_found();
 }
 
 void NearSearch::restart(const std::vector<std::int32_t>& active) {
@@ -88,17 +87,16 @@ inline bool NearSearch::alone_on(const SideView& v, const Memory& memory) const 
     return distance <= 0.1 * std::min(v.a, 1 - v.a) * v.length && distance <= memory.others_from - travelled_;
 }
 
-inline NearSearch::Added NearSearch::add_row(const StepMotion& motion, std::int32_t master, const Face& face,
-                                             const Memory& memory, ContactRows& rows) {
+inline bool NearSearch::add_row(const StepMotion& motion, std::int32_t master, const Face& face,
+                                const Memory& memory, ContactRows& rows) {
     const SideView& v = face.view;
-    if (face.side < 0) return {false, 0};
-    const double gap = memory.allowance > 0 && v.gap < 0 ? std::min(0.0, v.gap + memory.allowance) : v.gap;
-    if (-gap > std::max((memory.near ? depth_limit : entry_tolerance) * v.length, motion.range))
-        return {false, 0};
+    if (face.side < 0) return false;
+    const double gap = memory.allowance.counted(v.gap);
+    if (-gap > std::max((memory.near ? depth_limit : entry_tolerance) * v.length, motion.range)) return false;
     deepest_ = std::max(deepest_, -gap);
     const bool near = gap <= 2 * motion.range;
     const double counted = gap + role_.slack * mean_side_;
-    if (counted > 2 * motion.range) return {near, -v.gap};
+    if (counted > 2 * motion.range) return near;
     const Side& side = slave_.sides[static_cast<std::size_t>(face.side)];
     const double a = std::clamp(v.a, 0.0, 1.0);
     const std::int32_t node = master_.nodes[static_cast<std::size_t>(master)];
@@ -110,7 +108,7 @@ inline NearSearch::Added NearSearch::add_row(const StepMotion& motion, std::int3
     const double rate =
         v.nx * (n[0] + (a - 1) * i[0] + -a * j[0]) + v.ny * (n[1] + (a - 1) * i[1] + -a * j[1]);
     row.penetration = -(std::max(counted, -motion.recovery) + motion.dt * rate);
-    return {near, -v.gap};
+    return near;
 }
 
 void NearSearch::find(const StepMotion& motion, ContactRows& rows) {
@@ -126,19 +124,19 @@ void NearSearch::find(const StepMotion& motion, ContactRows& rows) {
             const double clear =
                 role_.by_facing ? std::max(2 * motion.range, end_tolerance * mean_side_) : 2 * motion.range;
             if (alone_on(v, memory) && std::min(v.a, 1 - v.a) * v.length > clear) {
-                const Added added = add_row(motion, m, {v, memory.closest}, memory, rows);
-                memory.near = added.near;
-                memory.allowance = std::clamp(added.depth, 0.0, memory.allowance);
+                memory.allowance.see(v.gap, 2 * motion.range);
+                memory.near = add_row(motion, m, {v, memory.closest}, memory, rows);
                 continue;
             }
         }
         const Closest closest = look(motion, x, memory);
         if (!(closest.distance < infinity)) continue;  // a diverged state has no closest side
         const Face face = face_of(motion, m, x, closest);
-        const Added one = add_row(motion, m, face, memory, rows);
-        const Added other = add_row(motion, m, across_valley(motion, x, face), memory, rows);
-        memory.near = one.near || other.near;
-        memory.allowance = std::clamp(std::max(one.depth, other.depth), 0.0, memory.allowance);
+        const Face across = across_valley(motion, x, face);
+        memory.allowance.see(std::min(face.gap(), across.gap()), 2 * motion.range);
+        const bool one = add_row(motion, m, face, memory, rows);
+        const bool other = add_row(motion, m, across, memory, rows);
+        memory.near = one || other;
     }
 }
 
@@ -152,7 +150,7 @@ void NearSearch::wake(const StepMotion& motion) {
         if (memory.free_until <= travelled_ + within) {
             const Point x = at_start(motion.nodes, master_.nodes[m], motion.dt);
             memory.free_until = travelled_ + look(motion, x, memory).distance - end_tolerance * mean_side_;
-            if (memory.allowance > 0) memory.free_until = travelled_;  // touches, though it is inside
+            if (memory.allowance.any()) memory.free_until = travelled_;  // touches, though it is inside
         }
         if (memory.free_until <= travelled_ + within) {
             awake_.push_back(static_cast<std::int32_t>(m));

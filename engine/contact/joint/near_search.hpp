@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "contact/closest.hpp"
+#include "contact/joint/overlap_allowance.hpp"
 #include "contact/joint/row_builder.hpp"
 #include "contact/row.hpp"
 #include "contact/side_tree.hpp"
@@ -67,7 +69,7 @@ class NearSearch {
         bool near = false;          ///< was within reach in the last step
         double others_from = 0;     ///< distance of all but the middle and its neighbours + travelled_ then
         double free_until = 0;      ///< value of travelled_ before which the node cannot touch
-        double allowance = 0;       ///< how deep it may be: what is left of an overlap at the start [length]
+        OverlapAllowance allowance;
     };
     struct Closest {
         SideView view;
@@ -83,6 +85,9 @@ class NearSearch {
     struct Face {
         SideView view;
         std::int32_t side;  ///< -1: none
+        [[nodiscard]] double gap() const {
+            return side < 0 ? std::numeric_limits<double>::infinity() : view.gap;
+        }
     };
     [[nodiscard]] Corner corner(const StepMotion& motion, std::int32_t first, std::int32_t second) const;
     [[nodiscard]] Face face_of(const StepMotion& motion, std::int32_t master, const Point& x,
@@ -91,12 +96,9 @@ class NearSearch {
                                                    const Point& x, const Closest& closest) const;
     [[nodiscard]] bool opposes(const StepMotion& motion, std::int32_t master, const SideView& face) const;
     [[nodiscard]] Face across_valley(const StepMotion& motion, const Point& x, const Face& face) const;
-    struct Added {
-        bool near;     ///< within reach, whether it has a row or not
-        double depth;  ///< of the node inside the face, allowed or not [length]
-    };
-    Added add_row(const StepMotion& motion, std::int32_t master, const Face& face, const Memory& memory,
-                  ContactRows& rows);
+    /// @returns whether the face is within reach, whether the node has a row or not.
+    bool add_row(const StepMotion& motion, std::int32_t master, const Face& face, const Memory& memory,
+                 ContactRows& rows);
     void allow_overlap();
     [[nodiscard]] SideView view(const StepMotion& motion, std::int32_t side, const Point& x) const;
 

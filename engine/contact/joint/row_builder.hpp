@@ -29,9 +29,8 @@ struct MotionBounds {
 /// how deep the predicted motion would go, counted from a gap that a step may make good.
 ///
 /// Rows are owned by nodes of the pair: those of the master surface count from 0, in the order of the
-/// surface, then those of the slave surface. Overlap of a node at the start is remembered as an allowance:
-/// such a node touches where it is, goes no deeper, and loses of its allowance what it gives up by moving
-/// out.
+/// surface, then those of the slave surface. An overlap at the start is
+/// kept as an offset of the gaps: see OverlapAllowance.
 class RowBuilder {
   public:
     virtual ~RowBuilder() = default;

@@ -42,7 +42,12 @@ SegmentRows::SegmentRows(NearSearch fine, NearSearch coarse, bool axisymmetric)
     weighted_.reserve(nodes);
     parts_.reserve(6 * nodes + 4 * others);
     near_.assign(nodes, 0);
-    allowance_.assign(nodes, fine_.any_overlap() || coarse_.any_overlap() ? infinity : 0);
+    allow_overlap();
+}
+
+void SegmentRows::allow_overlap() {
+    const bool any = fine_.any_overlap() || coarse_.any_overlap();
+    allowance_.assign(fine_.master().nodes.size(), any ? OverlapAllowance::as_found() : OverlapAllowance{});
 }
 
 RowBuilder::Size SegmentRows::size() const {
@@ -61,8 +66,7 @@ void SegmentRows::restart(const std::vector<std::int32_t>& active) {
     fine_.restart(active);
     coarse_.restart(active);
     std::fill(near_.begin(), near_.end(), char{0});
-    std::fill(allowance_.begin(), allowance_.end(),
-              fine_.any_overlap() || coarse_.any_overlap() ? infinity : 0);
+    allow_overlap();
     for (const std::int32_t owner : active) {
         const std::int32_t node = owner - fine_.first_owner();
         if (node >= 0 && static_cast<std::size_t>(node) < near_.size())
@@ -77,7 +81,7 @@ void SegmentRows::find(const StepMotion& motion, ContactRows& rows) {
     for (const Weighted& row : weighted_) emit(motion, row, rows);
     for (std::size_t n = 0; n < near_.size(); ++n) {
         // A node out of reach has nothing left to be allowed.
-        if (place_[n] < 0) near_[n] = 0, allowance_[n] = 0;
+        if (place_[n] < 0) near_[n] = 0, allowance_[n].end();
     }
     for (const Weighted& row : weighted_) place_[static_cast<std::size_t>(row.node)] = -1;
 }
@@ -205,10 +209,9 @@ void SegmentRows::add(Weighted& row, std::int32_t node, bool fine, double gx, do
 void SegmentRows::emit(const StepMotion& motion, const Weighted& row, ContactRows& rows) {
     const auto n = static_cast<std::size_t>(row.node);
     const double raw = row.gap / row.weight;
-    const double allowance = std::clamp(-raw, 0.0, allowance_[n]);
-    const bool was_near = near_[n] || allowance > 0;
-    allowance_[n] = allowance;
-    const double gap = raw < 0 ? std::min(0.0, raw + allowance) : raw;
+    allowance_[n].see(raw, 2 * motion.range);
+    const bool was_near = near_[n] || allowance_[n].any();
+    const double gap = allowance_[n].counted(raw);
     near_[n] = 0;
     if (gap > 2 * motion.range) return;
     // As for nodes: what appears inside, and did not come in within a step, slid under an open end.

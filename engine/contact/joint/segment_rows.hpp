@@ -49,6 +49,7 @@ class SegmentRows final : public RowBuilder {
         std::int32_t next;
     };
 
+    void allow_overlap();
     void gather(const StepMotion& motion);
     void gather_side(const StepMotion& motion, std::int32_t fine, std::int32_t start);
     bool gather_overlap(const StepMotion& motion, std::int32_t fine, std::int32_t coarse);
@@ -65,8 +66,8 @@ class SegmentRows final : public RowBuilder {
     std::vector<std::int32_t> place_;  ///< per fine node: its row in the making, -1 between finds
     std::vector<Weighted> weighted_;
     std::vector<Part> parts_;
-    std::vector<double> allowance_;  ///< per fine node: how negative its mean gap may be [length]
-    std::vector<char> near_;         ///< per fine node: had a mean gap within reach in the last step
+    std::vector<OverlapAllowance> allowance_;  ///< per fine node: of its mean gap
+    std::vector<char> near_;  ///< per fine node: had a mean gap within reach in the last step
 };
 
 }  // namespace percuss
