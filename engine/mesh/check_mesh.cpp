@@ -63,7 +63,7 @@ class MeshCheck {
     /// The joint problem remembers an overlap that is small against the cells, such as that of the chords of
     /// curved faces; a deeper one is a slip of the scene.
     [[nodiscard]] double most_overlap(const MeshBody& one, const MeshBody& other) const {
-        if (scene_.contact_solver.scheme != ContactScheme::joint) return 0;
+        if (scene_.contact_solver.scheme == ContactScheme::projection) return 0;
         return 0.1 * std::min(sides_.at(one.name), sides_.at(other.name));
     }
 

@@ -102,18 +102,55 @@ void read_contact_solver(TableReader& root, Scene& scene) {
     if (!reader) return;
     ContactSolver& solver = scene.contact_solver;
     solver.scheme = reader
-                        ->choice<ContactScheme>(
-                            "scheme", "contact scheme",
-                            {{"projection", ContactScheme::projection}, {"joint", ContactScheme::joint}})
+                        ->choice<ContactScheme>("scheme", "contact scheme",
+                                                {{"projection", ContactScheme::projection},
+                                                 {"joint", ContactScheme::joint},
+                                                 {"penalty", ContactScheme::penalty},
+                                                 {"bipenalty", ContactScheme::bipenalty}})
                         .value_or(ContactScheme::projection);
+    const bool joint = solver.scheme == ContactScheme::joint,
+               penalty = solver.scheme == ContactScheme::penalty,
+               bipenalty = solver.scheme == ContactScheme::bipenalty;
+    const auto only_for = [&](std::string_view key, bool fits, std::string_view schemes) {
+        if (!fits)
+            reader->error(key, fmt::format("'{}' belongs to scheme = {}; leave it out or choose that scheme",
+                                           key, schemes));
+    };
     if (const auto speed = reader->number("recovery_speed", positive)) {
         solver.recovery_speed = *speed;
-        if (solver.scheme != ContactScheme::joint)
-            reader->error(
-                "recovery_speed",
-                "'recovery_speed' belongs to scheme = \"joint\"; leave it out or choose that scheme");
+        only_for("recovery_speed", joint, "\"joint\"");
+    }
+    if (const auto kind =
+            reader->choice<ForceSolver>("solver", "solver",
+                                        {{"active-set", ForceSolver::active_set},
+                                         {"gauss-seidel", ForceSolver::gauss_seidel},
+                                         {"conjugate-gradient", ForceSolver::conjugate_gradient}})) {
+        solver.solver = *kind;
+        only_for("solver", joint || bipenalty, "\"joint\" or \"bipenalty\"");
+    }
+    if (const auto factor = reader->number("penalty", positive)) {
+        solver.penalty = *factor;
+        only_for("penalty", penalty || bipenalty, "\"penalty\" or \"bipenalty\"");
+    }
+    if (const auto bound =
+            reader->choice<bool>("step", "bound of the step", {{"springs", false}, {"elements", true}})) {
+        solver.step_of_elements = *bound;
+        only_for("step", penalty, "\"penalty\"");
     }
     reader->finish();
+}
+
+/// layer = { viscosity = 0.06, layers = 3 }
+std::optional<ContactLayer> read_layer(TableReader& pair) {
+    auto reader = pair.table("layer");
+    if (!reader) return std::nullopt;
+    ContactLayer layer;
+    reader->need("viscosity", "viscosity = 0.06");
+    layer.viscosity = reader->number("viscosity", positive).value_or(0);
+    if (const auto layers = reader->whole("layers", {.low = 1, .high = 100}))
+        layer.layers = static_cast<int>(*layers);
+    reader->finish();
+    return layer;
 }
 
 }  // namespace
@@ -124,11 +161,11 @@ void read_contacts(TableReader& root, Scene& scene) {
         ContactPair pair;
         pair.place = reader.place();
         pair.name = read_unique_name(reader, scene.contacts, "name = \"impact\"");
-        const bool joint = scene.contact_solver.scheme == ContactScheme::joint;
+        const bool rows = scene.contact_solver.scheme != ContactScheme::projection;
         std::optional<SurfaceName> master, slave;
         if (reader.find("bodies")) {
             read_bodies_of_pair(reader, scene, pair);
-            if (!joint)
+            if (!rows)
                 reader.error(
                     "bodies",
                     "the scheme \"projection\" needs roles; name 'master' and 'slave', or write scheme = "
@@ -142,24 +179,33 @@ void read_contacts(TableReader& root, Scene& scene) {
                                                       {"symmetric", RowScheme::symmetric},
                                                       {"segment-to-segment", RowScheme::segment_to_segment}});
         pair.scheme = scheme.value_or(pair.by_bodies ? RowScheme::symmetric : RowScheme::node_to_side);
-        if (scheme && !joint)
+        if (scheme && !rows)
             reader.error("scheme",
                          "schemes of pairs belong to the joint problem; write scheme = \"joint\" in "
                          "[contact_solver], or leave 'scheme' out");
+        const auto level = reader.choice<ContactLevel>(
+            "level", "contact level",
+            {{"position", ContactLevel::position}, {"velocity", ContactLevel::velocity}});
+        pair.level = level.value_or(ContactLevel::position);
+        if (level && scene.contact_solver.scheme != ContactScheme::joint)
+            reader.error("level",
+                         "levels of pairs belong to the joint problem; write scheme = \"joint\" in "
+                         "[contact_solver], or leave 'level' out");
         pair.sign = reader
                         .choice<ContactSign>("sign", "sign",
                                              {{"restricted", ContactSign::restricted},
                                               {"unrestricted", ContactSign::unrestricted}})
                         .value_or(ContactSign::restricted);
-        if (pair.sign == ContactSign::unrestricted && joint)
+        if (pair.sign == ContactSign::unrestricted && rows)
             reader.error("sign",
                          "the joint scheme knows no tension; leave 'sign' out, or choose scheme = "
                          "\"projection\" in [contact_solver]");
         pair.friction = reader.number("friction", not_negative).value_or(0);
-        if (pair.friction > 0 && !joint)
+        if (pair.friction > 0 && !rows)
             reader.error("friction",
                          "the scheme \"projection\" knows no friction; write scheme = \"joint\" in "
                          "[contact_solver], or leave 'friction' out");
+        pair.layer = read_layer(reader);
         const bool self = reader.flag("self").value_or(false);
         if (master) pair.master = *master;
         if (slave) pair.slave = *slave;

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "contact/joint/make_rows.hpp"
+#include "contact/solvers/conjugate_gradient.hpp"
+#include "contact/solvers/gauss_seidel.hpp"
 #include "dynamics/double2.hpp"
 #include "run/phase_timer.hpp"
 
@@ -14,17 +16,31 @@ namespace {
 /// A row outside the problem may close by this part of the deepest predicted penetration too far.
 constexpr double violation_tolerance = 1e-9;
 
+std::unique_ptr<NonnegativeSolver> make_solver(ForceSolver kind) {
+    switch (kind) {
+        case ForceSolver::gauss_seidel:
+            return std::make_unique<ProjectedGaussSeidel>();
+        case ForceSolver::conjugate_gradient:
+            return std::make_unique<ProjectedConjugateGradient>();
+        case ForceSolver::active_set:
+            break;
+    }
+    return std::make_unique<BoundedSolver>();
+}
+
 }  // namespace
 
-JointContact::JointContact(const Scene& scene, const Mesh& mesh)
+JointContact::JointContact(const Scene& scene, const Mesh& mesh, ConditionOf condition)
     : coupling_(mesh.node_count(), wall_nodes(mesh)),
       recovery_speed_(scene.contact_solver.recovery_speed),
-      listed_(static_cast<std::size_t>(mesh.node_count()), 0) {
+      listed_(static_cast<std::size_t>(mesh.node_count()), 0),
+      solver_(make_solver(scene.contact_solver.solver)),
+      solver_kind_(scene.contact_solver.solver) {
     std::size_t rows = 0, terms = 0;
     for (const ContactPair& pair : scene.contacts) {
         const PairSurfaces surfaces = pair_surfaces(scene, mesh, pair);
-        pairs_.push_back(
-            {make_rows(scene, mesh, pair), add_surface(surfaces.master), add_surface(surfaces.slave)});
+        pairs_.push_back({make_rows(scene, mesh, pair), condition ? condition : condition_of(pair.level),
+                          add_surface(surfaces.master), add_surface(surfaces.slave)});
         const RowBuilder::Size size = pairs_.back().builder->size();
         pairs_.back().pressed.assign(size.keys, 0);
         rows += size.rows;
@@ -37,7 +53,14 @@ JointContact::JointContact(const Scene& scene, const Mesh& mesh)
     force_.reserve(rows);
     standing_.reserve(rows);
     coupling_.reserve(rows, terms);
-    solver_.reserve(rows, 32 * rows);
+    solver_->reserve(rows, 32 * rows);
+}
+
+void JointContact::change(const std::vector<double>&, const ContactSolver& solver) {
+    recovery_speed_ = solver.recovery_speed;
+    if (solver.solver == solver_kind_) return;
+    solver_kind_ = solver.solver;
+    solver_ = AnyNonnegativeSolver(make_solver(solver_kind_));
 }
 
 std::size_t JointContact::add_surface(const Surface& surface) {
@@ -59,6 +82,7 @@ void JointContact::restart(const std::vector<std::vector<std::int32_t>>& active)
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
         pair.rows_begin = pair.rows_end = 0;
+        pair.left_open = 0;
         pair.builder->restart(active[p]);
         std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
         for (const std::int32_t owner : active[p]) pair.pressed[static_cast<std::size_t>(owner)] = 1;
@@ -111,19 +135,21 @@ void JointContact::find(const PredictedMotion& motion) {
         pair.master_motion = motion.dt * std::sqrt(master);
         pair.slave_motion = motion.dt * std::sqrt(slave);
         pair.rows_begin = rows_.size();
-        pair.builder->find({motion.nodes, motion.dt, pair.relative, motion.dt * recovery_speed_}, rows_);
+        const double range = pair.relative * std::max(1.0, longest_step_ / motion.dt);
+        pair.builder->find({motion.nodes, motion.dt, std::max(range, pair.left_open),
+                            motion.dt * recovery_speed_, pair.condition},
+                           rows_);
         pair.rows_end = rows_.size();
     }
 }
 
-/// The problem begins with the rows that had force in the last step and those that the prediction closes.
 void JointContact::choose_rows() {
     chosen_.clear();
     in_problem_.assign(rows_.size(), 0);
     for (const Pair& pair : pairs_) {
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
             const ContactRow& row = rows_[k];
-            if (row.penetration <= 0 && !pair.pressed[static_cast<std::size_t>(row.key)]) continue;
+            if (row.penetration <= row.margin && !pair.pressed[static_cast<std::size_t>(row.key)]) continue;
             in_problem_[k] = 1;
             chosen_.push_back(static_cast<std::int32_t>(k));
         }
@@ -149,11 +175,11 @@ void JointContact::assemble(const PredictedMotion& motion) {
 void JointContact::solve_forces(ContactSolverStatistics& statistics) {
     for (const Coupling::Group& group : coupling_.groups()) {
         const int rounds =
-            solver_.solve(coupling_.matrix(), penetration_, standing_, force_, group.begin, group.end);
+            solver_->solve(coupling_.matrix(), penetration_, standing_, force_, group.begin, group.end);
         ++statistics.problems;
         statistics.iterations += rounds;
         statistics.most_iterations = std::max(statistics.most_iterations, rounds);
-        statistics.fallbacks += solver_.relaxed();
+        statistics.fallbacks += solver_->relaxed();
         statistics.rows += group.end - group.begin;
         statistics.most_rows = std::max(statistics.most_rows, group.end - group.begin);
     }
@@ -202,7 +228,6 @@ double JointContact::deepest_penetration() const {
     return deepest;
 }
 
-/// Adds the rows that the forces found so far would close too far. @returns whether there were any.
 bool JointContact::add_violated(const PredictedMotion& motion) {
     if (chosen_.size() == rows_.size()) return false;
     const double deepest = deepest_penetration();
@@ -210,7 +235,8 @@ bool JointContact::add_violated(const PredictedMotion& motion) {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         if (in_problem_[k]) continue;
         const ContactRow& row = rows_[k];
-        if (row.penetration - opening(rows_.terms(row), motion) <= violation_tolerance * deepest) continue;
+        const double closing = row.penetration - opening(rows_.terms(row), motion);
+        if (closing <= row.margin + violation_tolerance * deepest) continue;
         in_problem_[k] = 1;
         added = true;
     }
@@ -239,9 +265,17 @@ void JointContact::correct(const PredictedMotion& motion) {
 
 void JointContact::remember() {
     for (Pair& pair : pairs_) {
-        std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
-        for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k)
-            if (rows_[k].force > 0) pair.pressed[static_cast<std::size_t>(rows_[k].key)] = 1;
+        double left_open = 0;
+        for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
+            const ContactRow& row = rows_[k];
+            char& pressed = pair.pressed[static_cast<std::size_t>(row.key)];
+            const bool persists = pressed && row.margin > 0 && row.margin <= pair.left_open + pair.relative;
+            if (row.force > 0 || persists) pressed = 2;
+            if (row.force > 0) left_open = std::max(left_open, row.margin);
+            if (persists) left_open = std::max(left_open, std::min(row.margin, pair.left_open));
+        }
+        pair.left_open = left_open;
+        for (char& pressed : pair.pressed) pressed = static_cast<char>(pressed / 2);
     }
 }
 

@@ -23,7 +23,7 @@ namespace percuss {
 /// not as inequalities.
 class JointContact : public ContactMethod {
   public:
-    JointContact(const Scene& scene, const Mesh& mesh);
+    JointContact(const Scene& scene, const Mesh& mesh) : JointContact(scene, mesh, nullptr) {}
 
     void resolve(PredictedMotion& motion, RunStatistics& statistics) override;
     [[nodiscard]] RowSpan rows(std::size_t pair) const override;
@@ -37,18 +37,23 @@ class JointContact : public ContactMethod {
     }
     void become(const ContactMethod& other) override { *this = dynamic_cast<const JointContact&>(other); }
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
-    void change(const std::vector<double>&, double recovery_speed) override {
-        recovery_speed_ = recovery_speed;
-    }
+    void change(const std::vector<double>& friction, const ContactSolver& solver) override;
 
   protected:
+    /// @param condition of all rows; null: each pair's own.
+    JointContact(const Scene& scene, const Mesh& mesh, ConditionOf condition);
+
+    /// The problem begins with the rows that had force in the last step and those that the prediction closes.
+    virtual void choose_rows();
+    /// Adds the rows that the forces found so far would close too far. @returns whether there were any.
+    [[nodiscard]] virtual bool add_violated(const PredictedMotion& motion);
     /// Solves for the forces of the chosen rows and puts their impulses on the nodes.
     virtual void solve(PredictedMotion& motion, ContactSolverStatistics& statistics);
 
     // What a solution is made of.
-    void assemble(const PredictedMotion& motion);
+    virtual void assemble(const PredictedMotion& motion);
     /// Contact forces for the present penetration_, from the present standing_ of the forces.
-    void solve_forces(ContactSolverStatistics& statistics);
+    virtual void solve_forces(ContactSolverStatistics& statistics);
     static void clear_impulses(const PredictedMotion& motion);
     void add_impulses(const PredictedMotion& motion);
     void add_impulse(const RowSpan& rows, const ContactRow& row, const PredictedMotion& motion);
@@ -58,6 +63,7 @@ class JointContact : public ContactMethod {
     [[nodiscard]] ContactRow& row_at(std::size_t place);  ///< place in the matrix
     [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
 
+    double longest_step_ = 0;           ///< rows are found as if the step could be as long as this [time]
     ContactRows rows_;                  ///< all that could close in the step, pair by pair
     std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
     Coupling coupling_;                 ///< of the chosen rows
@@ -71,16 +77,16 @@ class JointContact : public ContactMethod {
     };
     struct Pair {
         AnyRowBuilder builder;
+        ConditionOf condition;
         std::size_t master, slave;       ///< among the surfaces
         std::vector<char> pressed = {};  ///< per key: had force in the last step
         std::size_t rows_begin = 0, rows_end = 0;
+        double left_open = 0;  ///< widest gap that a row was pressed at, while any persists [length]
         double relative = 0, master_motion = 0, slave_motion = 0;  ///< bounds within this step [length]
     };
 
     std::size_t add_surface(const Surface& surface);
     void find(const PredictedMotion& motion);
-    void choose_rows();
-    [[nodiscard]] bool add_violated(const PredictedMotion& motion);
     void correct(const PredictedMotion& motion);
     void remember();
 
@@ -89,7 +95,8 @@ class JointContact : public ContactMethod {
     std::vector<Pair> pairs_;
     std::vector<char> in_problem_;  ///< per row
     std::vector<char> listed_;      ///< per node of the mesh: among the touched ones of this step
-    BoundedSolver solver_;
+    AnyNonnegativeSolver solver_;
+    ForceSolver solver_kind_;
     std::vector<double> force_;  ///< per place in the matrix
     std::vector<char> standing_;
     double largest_correction_ = 0;  ///< change of velocity by contact in this step [velocity]

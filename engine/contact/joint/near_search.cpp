@@ -107,7 +107,7 @@ inline bool NearSearch::add_row(const StepMotion& motion, std::int32_t master, c
     const double *n = motion.nodes[node].v, *i = motion.nodes[side.i].v, *j = motion.nodes[side.j].v;
     const double rate =
         v.nx * (n[0] + (a - 1) * i[0] + -a * j[0]) + v.ny * (n[1] + (a - 1) * i[1] + -a * j[1]);
-    row.penetration = -(std::max(counted, -motion.recovery) + motion.dt * rate);
+    motion.set_condition(row, counted, rate);
     return near;
 }
 
@@ -150,7 +150,8 @@ void NearSearch::wake(const StepMotion& motion) {
         if (memory.free_until <= travelled_ + within) {
             const Point x = at_start(motion.nodes, master_.nodes[m], motion.dt);
             memory.free_until = travelled_ + look(motion, x, memory).distance - end_tolerance * mean_side_;
-            if (memory.allowance.any()) memory.free_until = travelled_;  // touches, though it is inside
+            // Touches, though it is inside.
+            if (memory.allowance.any() || memory.near) memory.free_until = travelled_;
         }
         if (memory.free_until <= travelled_ + within) {
             awake_.push_back(static_cast<std::int32_t>(m));
