@@ -138,7 +138,7 @@ void FrictionalContact::solve_friction(const PredictedMotion& motion) {
 double FrictionalContact::meet_friction(const PredictedMotion& motion) {
     double most = 0;
     for (std::size_t place = 0; place < chosen_.size(); ++place) {
-        const ContactRow& row = row_at(place);
+        const ContactRow& row = rows_[row_index(place)];
         const double penetration = row.penetration - opening(rows_.terms(row), motion);
         most = std::max(most, std::abs(penetration - penetration_[place]));
         penetration_[place] = penetration;

@@ -26,13 +26,14 @@ JointContact::JointContact(const Scene& scene, const Mesh& mesh)
         pairs_.push_back(
             {make_rows(scene, mesh, pair), add_surface(surfaces.master), add_surface(surfaces.slave)});
         const RowBuilder::Size size = pairs_.back().builder->size();
-        pairs_.back().pressed.assign(size.keys, 0);
+        pairs_.back().last.assign(size.keys, Last::not_in_problem);
         rows += size.rows;
         terms += size.terms;
     }
     rows_.reserve(rows, terms);
     chosen_.reserve(rows);
     in_problem_.reserve(rows);
+    expected_.reserve(rows);
     penetration_.reserve(rows);
     force_.reserve(rows);
     standing_.reserve(rows);
@@ -60,8 +61,8 @@ void JointContact::restart(const std::vector<std::vector<std::int32_t>>& active)
         Pair& pair = pairs_[p];
         pair.rows_begin = pair.rows_end = 0;
         pair.builder->restart(active[p]);
-        std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
-        for (const std::int32_t owner : active[p]) pair.pressed[static_cast<std::size_t>(owner)] = 1;
+        std::fill(pair.last.begin(), pair.last.end(), Last::not_in_problem);
+        for (const std::int32_t owner : active[p]) pair.last[static_cast<std::size_t>(owner)] = Last::pressed;
     }
 }
 
@@ -120,10 +121,14 @@ void JointContact::find(const PredictedMotion& motion) {
 void JointContact::choose_rows() {
     chosen_.clear();
     in_problem_.assign(rows_.size(), 0);
+    expected_.assign(rows_.size(), BoundedSolver::between);
     for (const Pair& pair : pairs_) {
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
             const ContactRow& row = rows_[k];
-            if (row.penetration <= 0 && !pair.pressed[static_cast<std::size_t>(row.key)]) continue;
+            const Last last = pair.last[static_cast<std::size_t>(row.key)];
+            if (row.penetration <= 0 && last != Last::pressed) continue;
+            // What others kept closed in the last step, they will again.
+            if (last == Last::open) expected_[k] = BoundedSolver::at_lower;
             in_problem_[k] = 1;
             chosen_.push_back(static_cast<std::int32_t>(k));
         }
@@ -142,8 +147,11 @@ void JointContact::assemble(const PredictedMotion& motion) {
     const std::size_t count = chosen_.size();
     penetration_.resize(count);
     force_.resize(count);
-    standing_.assign(count, BoundedSolver::between);
-    for (std::size_t place = 0; place < count; ++place) penetration_[place] = row_at(place).penetration;
+    standing_.resize(count);
+    for (std::size_t place = 0; place < count; ++place) {
+        penetration_[place] = rows_[row_index(place)].penetration;
+        standing_[place] = expected_[row_index(place)];
+    }
 }
 
 void JointContact::solve_forces(ContactSolverStatistics& statistics) {
@@ -157,12 +165,15 @@ void JointContact::solve_forces(ContactSolverStatistics& statistics) {
         statistics.rows += group.end - group.begin;
         statistics.most_rows = std::max(statistics.most_rows, group.end - group.begin);
     }
-    for (std::size_t place = 0; place < chosen_.size(); ++place)
-        row_at(place).force = std::max(0.0, force_[place]);
+    for (std::size_t place = 0; place < chosen_.size(); ++place) {
+        const std::size_t k = row_index(place);
+        rows_[k].force = std::max(0.0, force_[place]);
+        expected_[k] = standing_[place];
+    }
 }
 
-ContactRow& JointContact::row_at(std::size_t place) {
-    return rows_[static_cast<std::size_t>(chosen_[static_cast<std::size_t>(coupling_.order()[place])])];
+std::size_t JointContact::row_index(std::size_t place) const {
+    return static_cast<std::size_t>(chosen_[static_cast<std::size_t>(coupling_.order()[place])]);
 }
 
 void JointContact::clear_impulses(const PredictedMotion& motion) {
@@ -239,9 +250,12 @@ void JointContact::correct(const PredictedMotion& motion) {
 
 void JointContact::remember() {
     for (Pair& pair : pairs_) {
-        std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
+        std::fill(pair.last.begin(), pair.last.end(), Last::not_in_problem);
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k)
-            if (rows_[k].force > 0) pair.pressed[static_cast<std::size_t>(rows_[k].key)] = 1;
+            if (in_problem_[k]) {
+                Last& last = pair.last[static_cast<std::size_t>(rows_[k].key)];  // rows in a valley share one
+                last = rows_[k].force > 0 || last == Last::pressed ? Last::pressed : Last::open;
+            }
     }
 }
 

@@ -55,7 +55,7 @@ class JointContact : public ContactMethod {
     [[nodiscard]] static double opening(std::span<const RowTerm> terms, const PredictedMotion& motion);
     /// The largest of the predicted penetrations in the problem; 0 when there is none [length].
     [[nodiscard]] double deepest_penetration() const;
-    [[nodiscard]] ContactRow& row_at(std::size_t place);  ///< place in the matrix
+    [[nodiscard]] std::size_t row_index(std::size_t place) const;  ///< place in the matrix
     [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
 
     ContactRows rows_;                  ///< all that could close in the step, pair by pair
@@ -69,10 +69,12 @@ class JointContact : public ContactMethod {
         std::vector<std::int32_t> nodes;
         std::array<double, 2> lowest, highest;  ///< [velocity]
     };
+    /// Where a row stood in the last step.
+    enum class Last : char { not_in_problem, open, pressed };
     struct Pair {
         AnyRowBuilder builder;
-        std::size_t master, slave;       ///< among the surfaces
-        std::vector<char> pressed = {};  ///< per key: had force in the last step
+        std::size_t master, slave;    ///< among the surfaces
+        std::vector<Last> last = {};  ///< per key
         std::size_t rows_begin = 0, rows_end = 0;
         double relative = 0, master_motion = 0, slave_motion = 0;  ///< bounds within this step [length]
     };
@@ -88,6 +90,7 @@ class JointContact : public ContactMethod {
     std::vector<Moving> surfaces_;
     std::vector<Pair> pairs_;
     std::vector<char> in_problem_;  ///< per row
+    std::vector<char> expected_;    ///< per row in the problem: where its force will stand
     std::vector<char> listed_;      ///< per node of the mesh: among the touched ones of this step
     BoundedSolver solver_;
     std::vector<double> force_;  ///< per place in the matrix

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Sides that turn by less than this are one straight line: with rounding, it would be a valley here and
+/// there.
+constexpr double straight = 1e-9;
+
 /// Nodes nearer than this part of a mean side stay awake.
 constexpr double awake_within = 0.02;
 
@@ -216,7 +220,7 @@ NearSearch::Corner NearSearch::corner(const StepMotion& motion, std::int32_t fir
                 c = at_start(motion.nodes, to.j, motion.dt);
     const double sx = b[0] - a[0], sy = b[1] - a[1], tx = c[0] - b[0], ty = c[1] - b[1];
     const double turn = sx * ty - sy * tx, along = sx * tx + sy * ty;
-    if (turn <= 0) return Corner::valley;
+    if (turn < -straight * along) return Corner::valley;
     return turn > along ? Corner::sharp : Corner::flat;
 }
 
