@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "run/fields.hpp"
 
@@ -143,6 +144,42 @@ void decimate(const Curves& curves, const MinMaxPyramid& values, double from, do
         }
     }
     if (end < curves.rows()) add(end);
+}
+
+void straighten(std::vector<std::array<float, 2>>& line, float tolerance) {
+    if (line.size() < 3) return;
+    constexpr float any = std::numeric_limits<float>::infinity();
+    std::size_t kept = 0;                 // what stays is moved to the front: line[kept] is the last of it
+    std::array<float, 2> last = line[0];  // the newest point that may still be dropped
+    bool pending = false;
+    float least = -any, greatest = any;  // slopes from line[kept] that pass all points since near enough
+    const auto keep = [&](const std::array<float, 2>& point) {
+        line[++kept] = point;
+        pending = false;
+        least = -any, greatest = any;
+    };
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const std::array<float, 2> point = line[i];
+        // Twice at most: when the point before must stay, the strip begins anew from there.
+        for (;;) {
+            const float along = point[0] - line[kept][0], up = point[1] - line[kept][1];
+            const bool passes =
+                along > 0 ? up >= least * along && up <= greatest * along : std::abs(up) <= tolerance;
+            if (passes && along > 0) {
+                least = std::max(least, (up - tolerance) / along);
+                greatest = std::min(greatest, (up + tolerance) / along);
+            }
+            if (passes || !pending) {
+                if (!passes) keep(point);
+                last = point;
+                pending = passes;
+                break;
+            }
+            keep(last);
+        }
+    }
+    if (pending) line[++kept] = last;
+    line.resize(kept + 1);
 }
 
 double rate_at(const Curves& curves, const MinMaxPyramid& counts, double time, double window) {

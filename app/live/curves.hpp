@@ -70,6 +70,10 @@ struct CurvePoint {
 void decimate(const Curves& curves, const MinMaxPyramid& values, double from, double to, int parts,
               std::vector<CurvePoint>& points);
 
+/// Drops the points of a line, of ascending x, that it passes within `tolerance` in y without them (Reumann &
+/// Witkam's strip with the ends held). A jump up and down at one x stays unless it is no higher than that.
+void straighten(std::vector<std::array<float, 2>>& line, float tolerance);
+
 /// How many events come in a unit of time: the mean over `window` about `time`, cut at the ends of the curve
 /// [1/time]. @param counts of all events so far, by row; the run begins with none.
 [[nodiscard]] double rate_at(const Curves& curves, const MinMaxPyramid& counts, double time, double window);

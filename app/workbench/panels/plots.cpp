@@ -151,7 +151,8 @@ void draw_grid(ImDrawList& ink, const Axes& axes, double time_scale, const Displ
 void draw_curve(const Workbench& w, const PlotInfo& plot, const Curves& curves, const MinMaxPyramid& values,
                 const Axes& axes, ImU32 colour, float width, ImDrawList& ink) {
     static thread_local std::vector<CurvePoint> points;
-    static thread_local std::vector<ImVec2> line;
+    static thread_local std::vector<std::array<float, 2>> line;
+    static thread_local std::vector<ImVec2> drawn;
     const int parts = std::max(1, static_cast<int>(axes.high.x - axes.low.x));
     if (plot.rate)
         rates(curves, values, axes.from, axes.to, parts_of_rate(axes.high.x - axes.low.x), rate_window(w),
@@ -159,8 +160,11 @@ void draw_curve(const Workbench& w, const PlotInfo& plot, const Curves& curves, 
     else
         decimate(curves, values, axes.from, axes.to, parts, points);
     line.clear();
-    for (const CurvePoint& point : points) line.emplace_back(axes.x(point.time), axes.y(point.value));
-    ink.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width);
+    for (const CurvePoint& point : points) line.push_back({axes.x(point.time), axes.y(point.value)});
+    straighten(line, 0.3F);  // the software renderer's time goes by triangles
+    drawn.clear();
+    for (const auto& [x, y] : line) drawn.emplace_back(x, y);
+    ink.AddPolyline(drawn.data(), static_cast<int>(drawn.size()), colour, 0, width);
 }
 
 void draw_curves(Workbench& w, const PlotInfo& plot, const Axes& axes, ImDrawList& ink) {
