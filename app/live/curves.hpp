@@ -38,7 +38,8 @@ struct PlotInfo {
 /// those of probes, one a quantity.
 [[nodiscard]] std::vector<PlotInfo> plots_of(const Scene& scene, const std::vector<HistoryColumn>& columns);
 
-/// Histories as plots read them, full rate; only new rows are copied, of the columns that are looked at.
+/// Histories as plots read them, full rate; only new rows are copied, of the columns that are looked at. Of
+/// old rows beyond some hundred thousand only the extremes of groups stay (MinMaxPyramid).
 class Curves {
   public:
     /// Takes what was appended since the last call; another history begins anew.
@@ -53,6 +54,7 @@ class Curves {
 
   private:
     [[nodiscard]] std::vector<double> past_column(std::size_t index) const;
+    void append(std::size_t column, std::size_t begin, std::size_t end, MinMaxPyramid& to) const;
 
     std::shared_ptr<const History> history_;
     std::vector<double> past_;

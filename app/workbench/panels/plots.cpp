@@ -192,6 +192,14 @@ std::size_t row_before(const Curves& curves, double time) {
     return next > 0 && (next == curves.rows() || curves.times()[next] > time) ? next - 1 : next;
 }
 
+/// The number, or between which numbers it was.
+std::string value_at(const Units& units, Quantity quantity, const MinMaxPyramid& column, std::size_t row) {
+    const MinMax known =
+        row < column.thinned() ? column.range(row, row + 1) : MinMax{column[row], column[row]};
+    const std::string low = quantity_text(units, quantity, known.low);
+    return known.low < known.high ? low + " to " + quantity_text(units, quantity, known.high) : low;
+}
+
 /// What the curves show there: the last values at or before a time.
 void tell_values(Workbench& w, const PlotInfo& plot, double time) {
     if (w.plots.curves.rows() == 0) return;
@@ -212,11 +220,13 @@ void tell_values(Workbench& w, const PlotInfo& plot, double time) {
                             render::format_number(unit.scale * rate_at(curves, column, time, rate_window(w))),
                             unit.label, column[row_before(curves, time)]);
         } else {
-            value = quantity_text(units, plot.quantity, column[row_before(curves, time)]);
+            value = value_at(units, plot.quantity, column, row_before(curves, time));
         }
         const std::string text = fmt::format("{}  {}", curve.label, value);
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette[i % palette.size()]), "%s", text.c_str());
     }
+    if (row_before(w.plots.curves, time) < w.plots.curves.times().thinned())
+        ImGui::TextDisabled("of a run this long, least and greatest of some steps");
     ImGui::EndTooltip();
 }
 
