@@ -55,15 +55,35 @@ WindowLayout remembered(const std::optional<std::filesystem::path>& file) {
     }
 }
 
-void remember(WindowLayout layout, std::array<int, 2> size, const std::filesystem::path& file) {
-    if (size[0] >= 64 && size[1] >= 64) layout.window = size;  // not that of an icon
-    try {
-        if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-        write_text_file(file, layout_text(layout));
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "percuss: the window's layout is not remembered: {}\n", error.what());
+/// Writes the window's layout when it has changed, soon after: a crash then loses little.
+class LayoutKeeper {
+  public:
+    explicit LayoutKeeper(std::filesystem::path file) : file_(std::move(file)) {}
+
+    /// @param at_once when the window closes; else once in some seconds.
+    void remember(WindowLayout layout, std::array<int, 2> size, bool at_once) {
+        const Clock::time_point now = Clock::now();
+        if (given_up_ || (!at_once && now < next_)) return;
+        next_ = now + std::chrono::seconds(2);
+        if (size[0] >= 64 && size[1] >= 64) layout.window = size;  // not that of an icon
+        std::string text = layout_text(layout);
+        if (text == written_) return;
+        try {
+            if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path());
+            write_text_file(file_, text);
+            written_ = std::move(text);
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "percuss: the window's layout is not remembered: {}\n", error.what());
+            given_up_ = true;
+        }
     }
-}
+
+  private:
+    std::filesystem::path file_;
+    std::string written_;
+    Clock::time_point next_;
+    bool given_up_ = false;
+};
 
 std::unique_ptr<render::Screen> make_screen(const ViewCommand& command, const WindowLayout& layout) {
     const auto size =
@@ -124,6 +144,7 @@ int view(const ViewCommand& command) {
     const std::unique_ptr<render::Screen> screen = make_screen(command, layout);
     EngineOptions options;
     options.threads = command.threads;
+    options.history_memory = std::size_t{256} << 20;  // a window may stay open for days
     Workbench workbench(*screen, std::move(options), open_recorded_run);
     workbench.use_layout(std::move(layout));
     if (command.dark) screen->set_dark(true);
@@ -132,6 +153,8 @@ int view(const ViewCommand& command) {
         workbench.pick_scene = !player;
     else
         workbench.run.open(command.scene, command.overrides);
+    std::optional<LayoutKeeper> keeper;
+    if (layout_kept) keeper.emplace(*layout_kept);
     while (!workbench.quit) {
         const Clock::time_point began = Clock::now();
         const render::ScriptedInput* input = player ? &player->before_frame(workbench) : nullptr;
@@ -145,9 +168,10 @@ int view(const ViewCommand& command) {
             workbench.viewport.drawn && workbench.viewport.drawn == workbench.run.snapshot());
         if (record) workbench.exports.take_frame(workbench, screen->grabbed());
         write_screenshot(workbench, *screen);
+        if (keeper) keeper->remember(workbench.layout, screen->size(), false);
         rest(*screen, workbench, began, player.has_value());
     }
-    if (layout_kept) remember(workbench.layout, screen->size(), *layout_kept);
+    if (keeper) keeper->remember(workbench.layout, screen->size(), true);
     return exit_status::ok;
 }
 

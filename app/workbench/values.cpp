@@ -31,6 +31,8 @@ constexpr NamedValue always[] = {
     {"panels", [](const Workbench& w) -> Value { return flag(w.panels); }},
     {"help", [](const Workbench& w) -> Value { return flag(w.help); }},
     {"frames", [](const Workbench& w) -> Value { return static_cast<double>(w.frames); }},
+    {"width", [](const Workbench& w) -> Value { return static_cast<double>(w.screen.size()[0]); }},
+    {"height", [](const Workbench& w) -> Value { return static_cast<double>(w.screen.size()[1]); }},
     {"fps", [](const Workbench& w) -> Value { return w.timing.frames_per_second(); }},
     {"frame.seconds", [](const Workbench& w) -> Value { return w.timing.frame_seconds(); }},
     {"engine.speed", [](const Workbench& w) -> Value { return w.timing.steps_per_second(); }},
@@ -144,6 +146,7 @@ std::optional<Value> Workbench::value(const std::string& name) const {
     if (name == "branch.to" && drops) return (*drops)[1];
     if (name == "plots.from" && plots.time) return (*plots.time)[0];
     if (name == "plots.to" && plots.time) return (*plots.time)[1];
+    if (name == "first.picture.seconds" && timing.first_picture()) return *timing.first_picture();
     if (name == "rebuild.seconds" && timing.rebuild_seconds()) return *timing.rebuild_seconds();
     const DesignValue* varied = run.design_value(name);
     if (varied == nullptr) return std::nullopt;
@@ -155,9 +158,9 @@ std::vector<std::string> Workbench::value_names() {
     for (const NamedValue& value : always) names.emplace_back(value.name);
     for (const NamedValue& value : of_scene) names.emplace_back(value.name);
     for (const NamedValue& value : of_view) names.emplace_back(value.name);
-    names.insert(names.end(),
-                 {"ghost.time", "reference.time", "branch.from", "branch.to", "plots.from", "plots.to",
-                  "rebuild.seconds", "parameters.NAME", "KEY of a value in the design panel"});
+    names.insert(names.end(), {"ghost.time", "reference.time", "branch.from", "branch.to", "plots.from",
+                               "plots.to", "first.picture.seconds", "rebuild.seconds", "parameters.NAME",
+                               "KEY of a value in the design panel"});
     return names;
 }
 

@@ -191,7 +191,8 @@ void show_legend() {
     ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("acts at once");
-    ImGui::SameLine(0, 1.2F * ImGui::GetFontSize());
+    same_line_for(ImGui::CalcTextSize("builds the run anew").x + 1.5F * ImGui::GetFontSize(),
+                  1.2F * ImGui::GetFontSize());
     show_mark(ChangeEffect::rebuild);
     ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
     ImGui::AlignTextToFramePadding();

@@ -22,6 +22,9 @@ class Panel {
     Panel& operator=(const Panel&) = delete;
 };
 
+/// ImGui::SameLine where something so wide has room in it; else the next line [pixels].
+void same_line_for(float width, float gap = -1);
+
 /// A button for a command of the table, named like it, with its help and key as tooltip. @param label "": its
 /// title
 bool command_button(Workbench& workbench, const char* command, const char* label = "", float width = 0);

@@ -151,7 +151,8 @@ void draw_grid(ImDrawList& ink, const Axes& axes, double time_scale, const Displ
 void draw_curve(const Workbench& w, const PlotInfo& plot, const Curves& curves, const MinMaxPyramid& values,
                 const Axes& axes, ImU32 colour, float width, ImDrawList& ink) {
     static thread_local std::vector<CurvePoint> points;
-    static thread_local std::vector<ImVec2> line;
+    static thread_local std::vector<std::array<float, 2>> line;
+    static thread_local std::vector<ImVec2> drawn;
     const int parts = std::max(1, static_cast<int>(axes.high.x - axes.low.x));
     if (plot.rate)
         rates(curves, values, axes.from, axes.to, parts_of_rate(axes.high.x - axes.low.x), rate_window(w),
@@ -159,8 +160,11 @@ void draw_curve(const Workbench& w, const PlotInfo& plot, const Curves& curves, 
     else
         decimate(curves, values, axes.from, axes.to, parts, points);
     line.clear();
-    for (const CurvePoint& point : points) line.emplace_back(axes.x(point.time), axes.y(point.value));
-    ink.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width);
+    for (const CurvePoint& point : points) line.push_back({axes.x(point.time), axes.y(point.value)});
+    straighten(line, 0.3F);  // the software renderer's time goes by triangles
+    drawn.clear();
+    for (const auto& [x, y] : line) drawn.emplace_back(x, y);
+    ink.AddPolyline(drawn.data(), static_cast<int>(drawn.size()), colour, 0, width);
 }
 
 void draw_curves(Workbench& w, const PlotInfo& plot, const Axes& axes, ImDrawList& ink) {
@@ -188,6 +192,14 @@ std::size_t row_before(const Curves& curves, double time) {
     return next > 0 && (next == curves.rows() || curves.times()[next] > time) ? next - 1 : next;
 }
 
+/// The number, or between which numbers it was.
+std::string value_at(const Units& units, Quantity quantity, const MinMaxPyramid& column, std::size_t row) {
+    const MinMax known =
+        row < column.thinned() ? column.range(row, row + 1) : MinMax{column[row], column[row]};
+    const std::string low = quantity_text(units, quantity, known.low);
+    return known.low < known.high ? low + " to " + quantity_text(units, quantity, known.high) : low;
+}
+
 /// What the curves show there: the last values at or before a time.
 void tell_values(Workbench& w, const PlotInfo& plot, double time) {
     if (w.plots.curves.rows() == 0) return;
@@ -208,11 +220,13 @@ void tell_values(Workbench& w, const PlotInfo& plot, double time) {
                             render::format_number(unit.scale * rate_at(curves, column, time, rate_window(w))),
                             unit.label, column[row_before(curves, time)]);
         } else {
-            value = quantity_text(units, plot.quantity, column[row_before(curves, time)]);
+            value = value_at(units, plot.quantity, column, row_before(curves, time));
         }
         const std::string text = fmt::format("{}  {}", curve.label, value);
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette[i % palette.size()]), "%s", text.c_str());
     }
+    if (row_before(w.plots.curves, time) < w.plots.curves.times().thinned())
+        ImGui::TextDisabled("of a run this long, least and greatest of some steps");
     ImGui::EndTooltip();
 }
 
