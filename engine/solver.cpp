@@ -309,16 +309,19 @@ void Solver::add_contacts(Snapshot* snapshot) const {
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         snapshot->pairs.push_back(pairs_[p].state);
         const auto begin = static_cast<std::ptrdiff_t>(forces.size());
-        for (const auto rows : {contact_->rows(p), contact_->friction_rows(p)}) {
+        for (const RowSpan& rows : {contact_->rows(p), contact_->friction_rows(p)}) {
             for (const ContactRow& row : rows) {
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const double force = scale_ * row.force * row.share[k];
-                    if (force == 0 || row.node[k] >= static_cast<std::int32_t>(body_of_node_.size()))
+                std::int32_t k = 0;
+                for (const RowTerm& term : rows.terms(row)) {
+                    const bool master = k++ < row.master_terms;
+                    const double force = scale_ * row.force;
+                    if (force == 0 || term.node >= static_cast<std::int32_t>(body_of_node_.size()) ||
+                        (term.g[0] == 0 && term.g[1] == 0))
                         continue;  // a wall's end
-                    forces.push_back({row.node[k],
+                    forces.push_back({term.node,
                                       static_cast<std::int32_t>(p),
-                                      k == 0,
-                                      {force * row.normal[0], force * row.normal[1]}});
+                                      master,
+                                      {force * term.g[0], force * term.g[1]}});
                 }
             }
         }
@@ -468,7 +471,7 @@ void Solver::restore(const SolverState& state) {
         pair.state = state.contact ? state.pairs[p] : PairState{};
         pair.active = state.active[p];
         std::fill(pair.flags.begin(), pair.flags.end(), char{0});
-        for (const std::int32_t master : pair.active) pair.flags[static_cast<std::size_t>(master)] = 1;
+        for (const std::int32_t owner : pair.active) pair.flags[static_cast<std::size_t>(owner)] = 1;
     }
 }
 

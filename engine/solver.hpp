@@ -29,7 +29,7 @@ struct SolverState {
         lagged_nodes;  ///< lagged mode: where stresses were last evaluated, and the motion that led there
     Ledger ledger;
     RunStatistics statistics;                       ///< filled by save()
-    std::vector<std::vector<std::int32_t>> active;  ///< per pair: master nodes in contact; filled by save()
+    std::vector<std::vector<std::int32_t>> active;  ///< per pair: owners of rows with force; filled by save()
     std::vector<PairState> pairs;                   ///< of the last step; filled by save()
     /// What contact remembers between steps; filled by save(). Whoever changes positions resets it: restore()
     /// then lets contact begin anew.
@@ -105,8 +105,8 @@ class Solver {
     /// What is counted about a pair.
     struct Pair {
         PairState state;
-        std::vector<std::int32_t> active;  // master indices with force in the last step
-        std::vector<char> flags;  // per master index: 1 had force in the last step, 2 has it in this one
+        std::vector<std::int32_t> active;  // owners of rows with force in the last step
+        std::vector<char> flags;           // per owner: 1 had force in the last step, 2 has it in this one
     };
 
     void build_nodes();
@@ -145,7 +145,7 @@ class Solver {
     struct ContactWorks {
         double contact = 0, friction = 0;
     };
-    [[nodiscard]] RowSums sum_rows(std::span<const ContactRow> rows) const;
+    [[nodiscard]] RowSums sum_rows(const RowSpan& rows) const;
     ContactWorks account_contacts(NodeSums& sums);
     void count_events(std::size_t pair);
     void fill_history_row();

@@ -338,19 +338,21 @@ void Solver::account_external_impulse() {
     statistics_.external_impulse_gross += scale_ * gross;
 }
 
-Solver::RowSums Solver::sum_rows(std::span<const ContactRow> rows) const {
+Solver::RowSums Solver::sum_rows(const RowSpan& rows) const {
     RowSums sums;
     for (const ContactRow& row : rows) {
         if (row.force == 0) continue;
-        const double rate_before = along(row, [&](std::int32_t node) {
+        const std::span<const RowTerm> terms = rows.terms(row);
+        const double rate_before = along(terms, [&](std::int32_t node) {
             return &velocity_before_contact_[2 * static_cast<std::size_t>(node)];
         });
         const double rate_after =
-            along(row, [&](std::int32_t node) { return state_.nodes[static_cast<std::size_t>(node)].v; });
+            along(terms, [&](std::int32_t node) { return state_.nodes[static_cast<std::size_t>(node)].v; });
         const double half_impulse = 0.5 * kick_ * row.force;
         sums.work_before += half_impulse * rate_before;
         sums.work += half_impulse * (rate_before + rate_after);
-        for (std::size_t d = 0; d < 2; ++d) sums.force[d] += scale_ * row.force * row.normal[d];
+        for (const RowTerm& term : terms.first(static_cast<std::size_t>(row.master_terms)))
+            for (std::size_t d = 0; d < 2; ++d) sums.force[d] += scale_ * row.force * term.g[d];
         ++sums.active;
     }
     return sums;
@@ -426,25 +428,25 @@ Solver::ContactWorks Solver::account_contacts(NodeSums& sums) {
 void Solver::count_events(std::size_t index) {
     Pair& pair = pairs_[index];
     PairStatistics& statistics = statistics_.pairs[index];
-    const std::span<const ContactRow> rows = contact_->rows(index);
+    const RowSpan rows = contact_->rows(index);
     const bool was_active = !pair.active.empty();
     for (const ContactRow& row : rows) {
         if (row.force == 0) continue;
-        char& flag = pair.flags[static_cast<std::size_t>(row.master)];
-        if (flag == 0) ++statistics.closings;  // a node may have several rows
+        char& flag = pair.flags[static_cast<std::size_t>(row.owner)];
+        if (flag == 0) ++statistics.closings;  // a node may own several rows
         flag = static_cast<char>(flag | 2);
     }
-    for (const std::int32_t master : pair.active) {
-        char& flag = pair.flags[static_cast<std::size_t>(master)];
+    for (const std::int32_t owner : pair.active) {
+        char& flag = pair.flags[static_cast<std::size_t>(owner)];
         if ((flag & 2) == 0) ++statistics.openings;
         flag = static_cast<char>(flag & 2);
     }
     pair.active.clear();
     for (const ContactRow& row : rows) {
-        char& flag = pair.flags[static_cast<std::size_t>(row.master)];
+        char& flag = pair.flags[static_cast<std::size_t>(row.owner)];
         if (row.force == 0 || flag == 1) continue;
         flag = 1;
-        pair.active.push_back(row.master);
+        pair.active.push_back(row.owner);
     }
     if (was_active != !pair.active.empty()) ++statistics.events;
 }

@@ -4,11 +4,13 @@
 
 namespace percuss {
 
-void ContactAssembly::assemble(std::span<const ContactRow> rows, const double* inverse_mass, double factor,
+void ContactAssembly::assemble(const RowSpan& rows, const double* inverse_mass, double factor,
                                ProfileMatrix& matrix) {
     matrix.clear();
     // Written by index: appending to them through this object would chain every entry to the one before.
-    if (links_.size() < 3 * rows.size()) reserve(rows.size());
+    std::size_t terms = 0;
+    for (const ContactRow& row : rows) terms += static_cast<std::size_t>(row.terms);
+    if (links_.size() < terms) reserve(terms);
     Link* const links = links_.data();
     Coupling* const couplings = couplings_.data();
     std::int32_t link_count = 0;
@@ -20,24 +22,22 @@ void ContactAssembly::assemble(std::span<const ContactRow> rows, const double* i
         std::size_t coupling_count = 0;
         std::int32_t first = k;
         double diagonal = 0;
-        for (std::size_t slot = 0; slot < 3; ++slot) {
-            const std::int32_t node = row.node[slot];
+        for (const RowTerm& term : rows.terms(row)) {
+            const std::int32_t node = term.node;
             // What a unit force of this row makes the node move, and how much of that another row sees.
-            const double ux = factor * row.share[slot] * row.normal[0] * inverse_mass[2 * node];
-            const double uy = factor * row.share[slot] * row.normal[1] * inverse_mass[2 * node + 1];
-            diagonal += row.share[slot] * (ux * row.normal[0] + uy * row.normal[1]);
+            const double ux = factor * term.g[0] * inverse_mass[2 * node];
+            const double uy = factor * term.g[1] * inverse_mass[2 * node + 1];
+            diagonal += ux * term.g[0] + uy * term.g[1];
             // A node that cannot move couples no rows: all rows on one wall share its two.
             if (inverse_mass[2 * node] == 0 && inverse_mass[2 * node + 1] == 0) continue;
             std::int32_t& head = newest_link(node);
             for (std::int32_t l = head; l >= 0;) {
                 const Link& link = links[l];
-                const ContactRow& other = rows[static_cast<std::size_t>(link.row)];
                 first = std::min(first, link.row);
-                couplings[coupling_count++] = {link.row,
-                                               link.share * (ux * other.normal[0] + uy * other.normal[1])};
+                couplings[coupling_count++] = {link.row, ux * link.g[0] + uy * link.g[1]};
                 l = link.next;
             }
-            links[link_count] = {k, head, row.share[slot]};
+            links[link_count] = {k, head, term.g};
             head = link_count++;
         }
         matrix.append_row(first);
@@ -46,7 +46,7 @@ void ContactAssembly::assemble(std::span<const ContactRow> rows, const double* i
         entry[k] = diagonal;
     }
     for (const ContactRow& row : rows)
-        for (const std::int32_t node : row.node) newest_link(node) = -1;
+        for (const RowTerm& term : rows.terms(row)) newest_link(term.node) = -1;
 }
 
 }  // namespace percuss

@@ -17,20 +17,19 @@ class ContactAssembly {
   public:
     explicit ContactAssembly(std::int32_t node_count) : head_(static_cast<std::size_t>(node_count), -1) {}
 
-    /// Room for so many rows.
-    void reserve(std::size_t rows) {
-        links_.resize(3 * rows);
-        couplings_.resize(3 * rows);
+    /// Room for so many terms of rows.
+    void reserve(std::size_t terms) {
+        links_.resize(terms);
+        couplings_.resize(terms);
     }
-    /// @pre the three nodes of a row differ. @param inverse_mass 2 per node [1/mass]; @param factor dt * kick
+    /// @pre the nodes of a row differ. @param inverse_mass 2 per node [1/mass]; @param factor dt * kick
     /// [time^2].
-    void assemble(std::span<const ContactRow> rows, const double* inverse_mass, double factor,
-                  ProfileMatrix& matrix);
+    void assemble(const RowSpan& rows, const double* inverse_mass, double factor, ProfileMatrix& matrix);
 
   private:
     struct Link {
         std::int32_t row, next;
-        double share;
+        std::array<double, 2> g;
     };
     struct Coupling {
         std::int32_t row;

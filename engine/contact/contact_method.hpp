@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "contact/predicted_motion.hpp"
@@ -20,11 +19,11 @@ class ContactMethod {
     /// velocities. Books the seconds of search and solution, and what the solver did.
     virtual void resolve(PredictedMotion& motion, RunStatistics& statistics) = 0;
     /// The rows of a pair in this step with their forces, for resultants, work and pictures.
-    [[nodiscard]] virtual std::span<const ContactRow> rows(std::size_t pair) const = 0;
-    /// The same for friction, where a row's normal is the tangent of the slave side and its force may have
+    [[nodiscard]] virtual RowSpan rows(std::size_t pair) const = 0;
+    /// The same for friction, whose rows are those of contact turned by 90 degrees and whose forces may have
     /// either sign. Empty for pairs without friction.
-    [[nodiscard]] virtual std::span<const ContactRow> friction_rows(std::size_t) const { return {}; }
-    /// Master nodes of a pair that touch and do not slide.
+    [[nodiscard]] virtual RowSpan friction_rows(std::size_t) const { return {}; }
+    /// Rows of a pair that touch and do not slide.
     [[nodiscard]] virtual int sticking(std::size_t) const { return 0; }
     /// Largest penetration of a pair that the step has seen [length].
     [[nodiscard]] virtual double penetration(std::size_t pair, const Node* nodes) const = 0;

@@ -16,9 +16,7 @@ class PairByPair final : public ContactMethod {
     PairByPair(const Scene& scene, const Mesh& mesh);
 
     void resolve(PredictedMotion& motion, RunStatistics& statistics) override;
-    [[nodiscard]] std::span<const ContactRow> rows(std::size_t pair) const override {
-        return pairs_[pair]->rows();
-    }
+    [[nodiscard]] RowSpan rows(std::size_t pair) const override { return pairs_[pair]->rows(); }
     [[nodiscard]] double penetration(std::size_t pair, const Node* nodes) const override {
         return pairs_[pair]->penetration_left(nodes);
     }

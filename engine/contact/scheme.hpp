@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "contact/predicted_motion.hpp"
@@ -20,7 +19,7 @@ class PairScheme {
     /// Solves for the contact forces and corrects displacements and velocities.
     virtual void resolve(PredictedMotion& motion) = 0;
     /// The rows of this step with their forces, for resultants, work and pictures.
-    [[nodiscard]] virtual std::span<const ContactRow> rows() const = 0;
+    [[nodiscard]] virtual RowSpan rows() const = 0;
     /// Largest penetration left after the correction [length].
     [[nodiscard]] virtual double penetration_left(const Node* nodes) const = 0;
     /// Rows whose unrestricted force came out negative in this step.

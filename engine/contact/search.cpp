@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/node_to_side.hpp"
 #include "contact/tolerances.hpp"
 #include "dynamics/double2.hpp"
 
@@ -80,7 +81,7 @@ void PenetrationSearch::measure_motion(const Node* nodes, double dt) {
     slave_travelled_ += length(larger(s.highest, -s.lowest));
 }
 
-void PenetrationSearch::find(const Node* nodes, double dt, std::vector<ContactRow>& rows) {
+void PenetrationSearch::find(const Node* nodes, double dt, ContactRows& rows) {
     rows.clear();
     measure_motion(nodes, dt);
     for (std::size_t m = 0; m < memory_.size(); ++m) {
@@ -88,12 +89,17 @@ void PenetrationSearch::find(const Node* nodes, double dt, std::vector<ContactRo
         if (memory.free_until > travelled_) continue;
         const Closest closest = closest_side(nodes, nodes[master_.nodes[m]].x, memory);
         if (!std::isfinite(closest.distance)) continue;  // a diverged state has no closest side
-        ContactRow& row = rows.emplace_back();
-        if (enter_row(nodes, dt, static_cast<std::int32_t>(m), closest, memory.held, row)) {
-            memory.held = row.side;
+        if (const auto entered = enter(nodes, dt, static_cast<std::int32_t>(m), closest, memory.held)) {
+            const SideView& view = entered->view;
+            ContactRow& row = add_node_to_side(rows, master_.nodes[m],
+                                               slave_.sides[static_cast<std::size_t>(entered->side)],
+                                               std::clamp(view.a, 0.0, 1.0), view.nx, view.ny);
+            row.penetration = -view.gap;
+            row.side = entered->side;
+            row.owner = static_cast<std::int32_t>(m);
+            memory.held = entered->side;
             memory.free_until = travelled_;  // looked at in every step
         } else {
-            rows.pop_back();
             memory.held = -1;
             memory.free_until = travelled_ + free_distance(nodes, nodes[master_.nodes[m]].x, closest, memory);
         }
@@ -206,8 +212,10 @@ bool PenetrationSearch::behind_vertex(const Node* nodes, const Side& around, con
     return own + other / std::sqrt(tx * tx + ty * ty) > 0;
 }
 
-bool PenetrationSearch::enter_row(const Node* nodes, double dt, std::int32_t master, const Closest& closest,
-                                  std::int32_t held, ContactRow& row) const {
+std::optional<PenetrationSearch::Entered> PenetrationSearch::enter(const Node* nodes, double dt,
+                                                                   std::int32_t master,
+                                                                   const Closest& closest,
+                                                                   std::int32_t held) const {
     const std::int32_t node = master_.nodes[static_cast<std::size_t>(master)];
     const double* x = nodes[node].x;
     std::int32_t index = closest.side;
@@ -218,13 +226,14 @@ bool PenetrationSearch::enter_row(const Node* nodes, double dt, std::int32_t mas
     const std::int32_t around = first_half ? side->previous : side->next;
 
     if (around < 0) {
-        if (past_end(view) > end_reach_) return false;
+        if (past_end(view) > end_reach_) return std::nullopt;
     } else if (past_end(view) > 0) {
         // The nearest point is a vertex. Outside a convex one there is no contact; inside a concave one the
         // node is pushed along the line to the vertex. The averaged normal tells the two apart.
         const double* vertex = nodes[first_half ? side->i : side->j].x;
         const double dx = vertex[0] - x[0], dy = vertex[1] - x[1];
-        if (!behind_vertex(nodes, slave_.sides[static_cast<std::size_t>(around)], view, dx, dy)) return false;
+        if (!behind_vertex(nodes, slave_.sides[static_cast<std::size_t>(around)], view, dx, dy))
+            return std::nullopt;
         view.nx = dx / closest.distance;
         view.ny = dy / closest.distance;
         view.gap = -closest.distance;
@@ -239,23 +248,14 @@ bool PenetrationSearch::enter_row(const Node* nodes, double dt, std::int32_t mas
             view = other;
         }
     }
-    if (view.gap >= 0) return false;
+    if (view.gap >= 0) return std::nullopt;
     if (-view.gap > std::max((held >= 0 ? depth_limit : entry_tolerance) * view.length, step_motion_))
-        return false;
-
-    const double a = std::clamp(view.a, 0.0, 1.0);
-    row.node = {node, side->i, side->j};
-    row.share = {1, a - 1, -a};
-    row.normal = {view.nx, view.ny};
-    row.penetration = -view.gap;
-    row.force = 0;
-    row.side = index;
-    row.master = master;
-    return true;
+        return std::nullopt;
+    return Entered{index, view};
 }
 
 double PenetrationSearch::penetration(const Node* nodes, const ContactRow& row) const {
-    const double* x = nodes[row.node[0]].x;
+    const double* x = nodes[master_.nodes[static_cast<std::size_t>(row.owner)]].x;
     return -view_from_side(nodes, slave_.sides[static_cast<std::size_t>(row.side)], x[0], x[1]).gap;
 }
 

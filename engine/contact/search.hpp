@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "contact/closest.hpp"
@@ -23,9 +24,9 @@ class PenetrationSearch {
     /// Fills `rows` with the penetrating master nodes at the predicted positions, in the order of the master
     /// chain.
     /// @param nodes predicted positions, and the velocities that led there in the step @param dt [time].
-    void find(const Node* nodes, double dt, std::vector<ContactRow>& rows);
+    void find(const Node* nodes, double dt, ContactRows& rows);
 
-    /// Present penetration of a row's master node into its slave side, negative when open [length].
+    /// Present penetration of the node that a row keeps out into its slave side, negative when open [length].
     [[nodiscard]] double penetration(const Node* nodes, const ContactRow& row) const;
 
     [[nodiscard]] const Surface& master() const { return master_; }
@@ -45,14 +46,19 @@ class PenetrationSearch {
         std::int32_t side;
         double distance;  ///< [length]
     };
+    /// The slave side that a node has penetrated, and how it stands to it.
+    struct Entered {
+        std::int32_t side;
+        SideView view;
+    };
     void measure_motion(const Node* nodes, double dt);
     void measure_lengths(const Node* nodes);
     [[nodiscard]] Closest closest_side(const Node* nodes, const double* x, Memory& memory);
     [[nodiscard]] Closest closest_of_neighbours(const Node* nodes, const double* x, std::int32_t side) const;
     [[nodiscard]] double free_distance(const Node* nodes, const double* x, const Closest& closest,
                                        const Memory& memory) const;
-    [[nodiscard]] bool enter_row(const Node* nodes, double dt, std::int32_t master, const Closest& closest,
-                                 std::int32_t held, ContactRow& row) const;
+    [[nodiscard]] std::optional<Entered> enter(const Node* nodes, double dt, std::int32_t master,
+                                               const Closest& closest, std::int32_t held) const;
     [[nodiscard]] static bool behind_vertex(const Node* nodes, const Side& around, const SideView& view,
                                             double dx, double dy);
     [[nodiscard]] bool entered_neighbour(const Node* nodes, double dt, std::int32_t node, std::int32_t side,

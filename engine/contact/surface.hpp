@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct Surface {
 
 /// @pre the scene was checked: body and edge, or the wall, exist.
 [[nodiscard]] Surface make_surface(const Mesh& mesh, const SurfaceName& name);
+
+/// Takes away the sides that lie on the axis r = 0 and the nodes between them.
+void drop_axis(Surface& surface, const Mesh& mesh);
+
+/// Per node of a surface, in its order: the sides that end and that begin there, -1 where there is none.
+[[nodiscard]] std::vector<std::array<std::int32_t, 2>> sides_beside(const Surface& surface);
 
 /// The nodes of all walls, which never move.
 [[nodiscard]] std::vector<std::int32_t> wall_nodes(const Mesh& mesh);

@@ -23,6 +23,39 @@ bool is_wall(const Scene& scene, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// bodies = ["A", "B"], whole outlines without roles; the second may be a wall.
+void read_bodies_of_pair(TableReader& reader, const Scene& scene, ContactPair& pair) {
+    pair.by_bodies = true;
+    for (const char* role : {"master", "slave"})
+        if (reader.find(role))
+            reader.error(role,
+                         fmt::format("'bodies' knows no roles; leave '{}' out, or name 'master' and 'slave' "
+                                     "instead of 'bodies'",
+                                     role));
+    const auto names = reader.texts("bodies");
+    if (!names) return;
+    if (names->size() != 2)
+        return reader.error(
+            "bodies",
+            fmt::format("a pair has two bodies, these are {}; write bodies = [\"A\", \"B\"]", names->size()));
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+        const std::string& name = (*names)[k];
+        (k == 0 ? pair.master : pair.slave) = {name, "", reader.place("bodies")};
+        if (find_body(scene, name)) continue;
+        if (!is_wall(scene, name))
+            report_body(reader, "bodies", scene, name);
+        else if (k == 0)
+            reader.error(
+                "bodies",
+                fmt::format("'{}' is a wall; name it second, forces are counted on the first", name));
+    }
+    if ((*names)[0] == (*names)[1])
+        reader.error("bodies",
+                     fmt::format("body '{}' is paired with itself; name another body, or two of its edges as "
+                                 "master and slave with self = true",
+                                 (*names)[0]));
+}
+
 /// "body" or "body.edge"; nothing when it is faulty.
 std::optional<SurfaceName> read_surface(TableReader& reader, std::string_view key, const Scene& scene) {
     reader.need(key, fmt::format("{} = \"BODY.EDGE\" or \"BODY\"", key));
@@ -91,19 +124,39 @@ void read_contacts(TableReader& root, Scene& scene) {
         ContactPair pair;
         pair.place = reader.place();
         pair.name = read_unique_name(reader, scene.contacts, "name = \"impact\"");
-        const auto master = read_surface(reader, "master", scene);
-        const auto slave = read_surface(reader, "slave", scene);
+        const bool joint = scene.contact_solver.scheme == ContactScheme::joint;
+        std::optional<SurfaceName> master, slave;
+        if (reader.find("bodies")) {
+            read_bodies_of_pair(reader, scene, pair);
+            if (!joint)
+                reader.error(
+                    "bodies",
+                    "the scheme \"projection\" needs roles; name 'master' and 'slave', or write scheme = "
+                    "\"joint\" in [contact_solver]");
+        } else {
+            master = read_surface(reader, "master", scene);
+            slave = read_surface(reader, "slave", scene);
+        }
+        const auto scheme = reader.choice<RowScheme>("scheme", "contact scheme",
+                                                     {{"node-to-side", RowScheme::node_to_side},
+                                                      {"symmetric", RowScheme::symmetric},
+                                                      {"segment-to-segment", RowScheme::segment_to_segment}});
+        pair.scheme = scheme.value_or(pair.by_bodies ? RowScheme::symmetric : RowScheme::node_to_side);
+        if (scheme && !joint)
+            reader.error("scheme",
+                         "schemes of pairs belong to the joint problem; write scheme = \"joint\" in "
+                         "[contact_solver], or leave 'scheme' out");
         pair.sign = reader
                         .choice<ContactSign>("sign", "sign",
                                              {{"restricted", ContactSign::restricted},
                                               {"unrestricted", ContactSign::unrestricted}})
                         .value_or(ContactSign::restricted);
-        if (pair.sign == ContactSign::unrestricted && scene.contact_solver.scheme == ContactScheme::joint)
+        if (pair.sign == ContactSign::unrestricted && joint)
             reader.error("sign",
                          "the joint scheme knows no tension; leave 'sign' out, or choose scheme = "
                          "\"projection\" in [contact_solver]");
         pair.friction = reader.number("friction", not_negative).value_or(0);
-        if (pair.friction > 0 && scene.contact_solver.scheme != ContactScheme::joint)
+        if (pair.friction > 0 && !joint)
             reader.error("friction",
                          "the scheme \"projection\" knows no friction; write scheme = \"joint\" in "
                          "[contact_solver], or leave 'friction' out");

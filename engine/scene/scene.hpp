@@ -211,9 +211,19 @@ enum class ContactSign {
     unrestricted,  ///< the paper's equations as they stand; negative C are counted
 };
 
+/// How the joint problem keeps the surfaces of a pair apart.
+enum class RowScheme {
+    node_to_side,        ///< master nodes out of slave sides
+    symmetric,           ///< nodes of each out of sides of the other
+    segment_to_segment,  ///< mean gaps of overlapping sides, with guards for nodes
+};
+
 struct ContactPair {
     std::string name;
     SurfaceName master, slave;
+    bool by_bodies =
+        false;  ///< two bodies without roles: `master` is only the one that forces are counted on
+    RowScheme scheme = RowScheme::node_to_side;  ///< joint only
     ContactSign sign = ContactSign::restricted;
     double friction = 0;  ///< Coulomb's coefficient; 0: the pair slides freely
     Place place;

@@ -30,7 +30,7 @@ class PressedFaces {
     void find() { pair_->find(motion_); }
     void resolve() {
         pair_->resolve(motion_);
-        benchmark::DoNotOptimize(pair_->rows().data());
+        benchmark::DoNotOptimize(pair_->rows().rows.data());
     }
     /// Puts the touched nodes back, so that the next step finds the same.
     void put_back() {

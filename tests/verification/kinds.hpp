@@ -19,11 +19,20 @@ inline Scene driven_for_a_while() {
 }
 
 /// A corner that slides over a corner: which face holds a node depends on where it came from.
-inline Scene past_a_corner(const std::string& scheme) {
+/// @param pair what the [[contact]] says.
+inline Scene past_a_corner(const std::string& scheme,
+                           const std::string& pair = "master = \"flyer\"\nslave = \"block\"\n") {
     return scene_of(scene_head("plane strain", 0.1, 0.3) + "[contact_solver]\nscheme = \"" + scheme + "\"\n" +
                     box_body("flyer", {-6, 0.01, 0.5, 4}, {13, 8}, "velocity = [30, -20]") +
                     box_body("block", {0, -6, 8, 0}, {8, 6}, "velocity = [-5, 0]") +
-                    "[[contact]]\nname = \"hit\"\nmaster = \"flyer\"\nslave = \"block\"\n");
+                    "[[contact]]\nname = \"hit\"\n" + pair);
+}
+
+/// The same, from a start that overlaps a little.
+inline Scene past_a_corner_by(const std::string& scheme) {
+    Scene scene = past_a_corner("joint", "bodies = [\"flyer\", \"block\"]\nscheme = \"" + scheme + "\"\n");
+    for (Vec2& corner : scene.bodies[0].blocks[0].corners) corner.y() -= 0.02;
+    return scene;
 }
 
 inline Scene nail(const std::string& scheme, const std::string& friction = "0") {
@@ -51,6 +60,8 @@ inline const Kind kinds_of_runs[] = {
     {"rods_of_averaged_triangles", [] { return rods({"body.striker.element=averaged triangle"}); }},
     {"corner_by_pairs", [] { return past_a_corner("projection"); }},
     {"corner_jointly", [] { return past_a_corner("joint"); }},
+    {"corner_symmetrically", [] { return past_a_corner_by("symmetric"); }},
+    {"corner_by_segments", [] { return past_a_corner_by("segment-to-segment"); }},
     {"nail_jointly", [] { return nail("joint"); }, 1500},
     {"nail_with_friction", [] { return nail("joint", "0.1"); }, 1500},
     {"nail_by_pairs", [] { return nail("projection"); }, 1500},

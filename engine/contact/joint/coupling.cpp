@@ -13,44 +13,62 @@ constexpr double regularisation = 1e-8;
 }  // namespace
 
 Coupling::Coupling(std::int32_t node_count, std::span<const std::int32_t> fixed)
-    : fixed_(static_cast<std::size_t>(node_count), 0), head_(static_cast<std::size_t>(node_count), -1) {
+    : fixed_(static_cast<std::size_t>(node_count), 0),
+      nodes_begin_{0},
+      head_(static_cast<std::size_t>(node_count), -1) {
     for (const std::int32_t node : fixed) fixed_[static_cast<std::size_t>(node)] = 1;
 }
 
-void Coupling::reserve(std::size_t rows) {
-    nodes_.reserve(rows);
-    links_.reserve(3 * rows);
+void Coupling::reserve(std::size_t rows, std::size_t terms) {
+    nodes_.reserve(terms);
+    nodes_begin_.reserve(rows + 1);
+    links_.reserve(terms);
     order_.reserve(rows);
     seen_.reserve(rows);
     groups_.reserve(rows);
-    products_.reserve(32 * rows);
-    share_.reserve(3 * rows);
-    unit_.reserve(3 * rows);
+    products_.reserve(12 * terms);
+    share_.reserve(terms);
+    unit_.reserve(terms);
     matrix_.reserve(rows, 32 * rows);
 }
 
-bool Coupling::same_nodes(std::span<const ContactRow> rows, std::span<const std::int32_t> chosen) const {
-    if (nodes_.size() != chosen.size()) return false;
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-        if (nodes_[k] != rows[static_cast<std::size_t>(chosen[k])].node) return false;
+std::span<const std::int32_t> Coupling::nodes_of(std::int32_t chosen) const {
+    const auto k = static_cast<std::size_t>(chosen);
+    const auto begin = static_cast<std::size_t>(nodes_begin_[k]),
+               end = static_cast<std::size_t>(nodes_begin_[k + 1]);
+    return std::span(nodes_).subspan(begin, end - begin);
+}
+
+bool Coupling::same_nodes(const RowSpan& rows, std::span<const std::int32_t> chosen) const {
+    if (nodes_begin_.size() != chosen.size() + 1) return false;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        for (const RowTerm& term : rows.terms(rows[static_cast<std::size_t>(chosen[k])]))
+            if (at == nodes_.size() || nodes_[at++] != term.node) return false;
+        if (at != static_cast<std::size_t>(nodes_begin_[k + 1])) return false;
+    }
     return true;
 }
 
-void Coupling::assemble(std::span<const ContactRow> rows, std::span<const std::int32_t> chosen,
-                        const double* inverse_mass, double factor) {
+void Coupling::assemble(const RowSpan& rows, std::span<const std::int32_t> chosen, const double* inverse_mass,
+                        double factor) {
     if (!same_nodes(rows, chosen)) {
         nodes_.clear();
-        for (const std::int32_t k : chosen) nodes_.push_back(rows[static_cast<std::size_t>(k)].node);
+        nodes_begin_.assign(1, 0);
+        for (const std::int32_t k : chosen) {
+            for (const RowTerm& term : rows.terms(rows[static_cast<std::size_t>(k)]))
+                nodes_.push_back(term.node);
+            nodes_begin_.push_back(static_cast<std::int32_t>(nodes_.size()));
+        }
         restructure();
     }
-    for (std::size_t place = 0; place < order_.size(); ++place) {
-        const ContactRow& row =
-            rows[static_cast<std::size_t>(chosen[static_cast<std::size_t>(order_[place])])];
-        for (std::size_t slot = 0; slot < 3; ++slot) {
-            const double* inverse = inverse_mass + 2 * row.node[slot];
-            const double x = row.share[slot] * row.normal[0], y = row.share[slot] * row.normal[1];
-            share_[3 * place + slot] = {x, y};
-            unit_[3 * place + slot] = {factor * inverse[0] * x, factor * inverse[1] * y};
+    std::size_t at = 0;
+    for (const std::int32_t place : order_) {
+        const ContactRow& row = rows[static_cast<std::size_t>(chosen[static_cast<std::size_t>(place)])];
+        for (const RowTerm& term : rows.terms(row)) {
+            const double* inverse = inverse_mass + 2 * term.node;
+            share_[at] = term.g;
+            unit_[at++] = {factor * inverse[0] * term.g[0], factor * inverse[1] * term.g[1]};
         }
     }
     const std::span<double> values = matrix_.values();
@@ -64,20 +82,21 @@ void Coupling::assemble(std::span<const ContactRow> rows, std::span<const std::i
 }
 
 void Coupling::sort_into_groups() {
+    const auto rows = static_cast<std::int32_t>(nodes_begin_.size()) - 1;
     order_.clear();
     groups_.clear();
-    seen_.assign(nodes_.size(), 0);
+    seen_.assign(static_cast<std::size_t>(rows), 0);
     const auto take = [this](std::int32_t row) {
         if (seen_[static_cast<std::size_t>(row)]) return;
         seen_[static_cast<std::size_t>(row)] = 1;
         order_.push_back(row);
     };
-    for (std::int32_t start = 0; start < static_cast<std::int32_t>(nodes_.size()); ++start) {
+    for (std::int32_t start = 0; start < rows; ++start) {
         if (seen_[static_cast<std::size_t>(start)]) continue;
         const auto begin = static_cast<std::int32_t>(order_.size());
         take(start);
         for (auto at = static_cast<std::size_t>(begin); at < order_.size(); ++at)
-            for (const std::int32_t node : nodes_[static_cast<std::size_t>(order_[at])])
+            for (const std::int32_t node : nodes_of(order_[at]))
                 for (std::int32_t l = head_[static_cast<std::size_t>(node)]; l >= 0;
                      l = links_[static_cast<std::size_t>(l)].next)
                     take(links_[static_cast<std::size_t>(l)].place);
@@ -86,22 +105,22 @@ void Coupling::sort_into_groups() {
 }
 
 void Coupling::restructure() {
+    const auto rows = static_cast<std::int32_t>(nodes_begin_.size()) - 1;
     const auto link_rows = [&](auto row_at) {
         links_.clear();
-        for (std::int32_t place = 0; place < static_cast<std::int32_t>(nodes_.size()); ++place) {
-            const auto& nodes = nodes_[static_cast<std::size_t>(row_at(place))];
-            for (std::int32_t slot = 0; slot < 3; ++slot) {
-                const std::int32_t node = nodes[static_cast<std::size_t>(slot)];
+        std::int32_t at = 0;
+        for (std::int32_t place = 0; place < rows; ++place) {
+            for (const std::int32_t node : nodes_of(row_at(place))) {
+                const std::int32_t term = at++;
                 if (fixed_[static_cast<std::size_t>(node)]) continue;
                 std::int32_t& head = head_[static_cast<std::size_t>(node)];
-                links_.push_back({place, slot, head});
+                links_.push_back({place, term, head});
                 head = static_cast<std::int32_t>(links_.size()) - 1;
             }
         }
     };
     const auto unlink = [this] {
-        for (const auto& nodes : nodes_)
-            for (const std::int32_t node : nodes) head_[static_cast<std::size_t>(node)] = -1;
+        for (const std::int32_t node : nodes_) head_[static_cast<std::size_t>(node)] = -1;
     };
     link_rows([](std::int32_t row) { return row; });
     sort_into_groups();
@@ -110,27 +129,29 @@ void Coupling::restructure() {
     link_rows([this](std::int32_t place) { return order_[static_cast<std::size_t>(place)]; });
     matrix_.clear();
     products_.clear();
-    for (std::int32_t place = 0; place < static_cast<std::int32_t>(order_.size()); ++place) {
-        const auto& nodes = nodes_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
+    std::int32_t first_term = 0;
+    for (std::int32_t place = 0; place < rows; ++place) {
+        const auto nodes = nodes_of(order_[static_cast<std::size_t>(place)]);
         const auto each_link = [&](auto visit) {
-            for (std::int32_t slot = 0; slot < 3; ++slot) {
-                std::int32_t l = head_[static_cast<std::size_t>(nodes[static_cast<std::size_t>(slot)])];
+            for (std::size_t slot = 0; slot < nodes.size(); ++slot) {
+                std::int32_t l = head_[static_cast<std::size_t>(nodes[slot])];
                 for (; l >= 0; l = links_[static_cast<std::size_t>(l)].next)
                     if (links_[static_cast<std::size_t>(l)].place <= place)
-                        visit(slot, links_[static_cast<std::size_t>(l)]);
+                        visit(first_term + static_cast<std::int32_t>(slot),
+                              links_[static_cast<std::size_t>(l)]);
             }
         };
         std::int32_t first = place;
         each_link([&](std::int32_t, const Link& link) { first = std::min(first, link.place); });
         matrix_.append_row(first);
-        each_link([&](std::int32_t slot, const Link& link) {
-            products_.push_back(
-                {matrix_.index(place, link.place), 3 * place + slot, 3 * link.place + link.slot});
+        each_link([&](std::int32_t term, const Link& link) {
+            products_.push_back({matrix_.index(place, link.place), term, link.term});
         });
+        first_term += static_cast<std::int32_t>(nodes.size());
     }
     unlink();
-    share_.resize(3 * nodes_.size());
-    unit_.resize(3 * nodes_.size());
+    share_.resize(nodes_.size());
+    unit_.resize(nodes_.size());
 }
 
 }  // namespace percuss

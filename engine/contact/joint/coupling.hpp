@@ -23,12 +23,12 @@ class Coupling {
     /// @param fixed nodes that never move, those of walls: all rows on a wall share its two, and do not
     /// couple by them.
     explicit Coupling(std::int32_t node_count, std::span<const std::int32_t> fixed = {});
-    void reserve(std::size_t rows);
+    void reserve(std::size_t rows, std::size_t terms);
 
-    /// @param rows of which those in `chosen` take part; the three nodes of a row differ. @param inverse_mass
+    /// @param rows of which those in `chosen` take part; the nodes of a row differ. @param inverse_mass
     /// 2 per node [1/mass]; @param factor dt * kick [time^2].
-    void assemble(std::span<const ContactRow> rows, std::span<const std::int32_t> chosen,
-                  const double* inverse_mass, double factor);
+    void assemble(const RowSpan& rows, std::span<const std::int32_t> chosen, const double* inverse_mass,
+                  double factor);
 
     [[nodiscard]] const ProfileMatrix& matrix() const { return matrix_; }
     [[nodiscard]] std::span<const Group> groups() const { return groups_; }
@@ -37,26 +37,28 @@ class Coupling {
 
   private:
     struct Link {
-        std::int32_t place, slot, next;
+        std::int32_t place, term, next;
     };
     struct Product {
-        std::int32_t entry, unit, share;  ///< matrix value += unit motion . share
+        std::int32_t entry, unit, share;  ///< matrix value += unit motion of a term . share of a term
     };
-    [[nodiscard]] bool same_nodes(std::span<const ContactRow> rows,
-                                  std::span<const std::int32_t> chosen) const;
+    [[nodiscard]] bool same_nodes(const RowSpan& rows, std::span<const std::int32_t> chosen) const;
+    [[nodiscard]] std::span<const std::int32_t> nodes_of(std::int32_t chosen) const;
     void restructure();
     void sort_into_groups();
 
-    std::vector<char> fixed_;                         ///< per node
-    std::vector<std::array<std::int32_t, 3>> nodes_;  ///< of the chosen rows when last restructured
-    std::vector<std::int32_t> head_;                  ///< per node: its newest link, -1 between calls
+    std::vector<char> fixed_;  ///< per node
+    std::vector<std::int32_t> nodes_,
+        nodes_begin_;                 ///< of the chosen rows when last restructured, back to back
+    std::vector<std::int32_t> head_;  ///< per node: its newest link, -1 between calls
     std::vector<Link> links_;
     std::vector<std::int32_t> order_;
     std::vector<char> seen_;
     std::vector<Group> groups_;
     std::vector<Product> products_;
-    std::vector<std::array<double, 2>> share_,
-        unit_;  ///< 3 per place: share * normal, and the motion it causes
+    /// Per term of the rows in the order of their places: its direction, and the motion that a unit force
+    /// causes.
+    std::vector<std::array<double, 2>> share_, unit_;
     ProfileMatrix matrix_;
 };
 

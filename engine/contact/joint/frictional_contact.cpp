@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/joint/make_rows.hpp"
+
 namespace percuss {
 namespace {
 
@@ -16,25 +18,28 @@ constexpr int most_rounds = 50;
 
 FrictionalContact::FrictionalContact(const Scene& scene, const Mesh& mesh)
     : JointContact(scene, mesh), tangential_(mesh.node_count(), wall_nodes(mesh)) {
-    std::size_t masters = 0;
+    std::size_t rows = 0, terms = 0;
     for (const ContactPair& pair : scene.contacts) {
         pairs_.push_back({pair.friction});
-        if (pair.friction > 0) masters += make_surface(mesh, pair.master).nodes.size();
+        if (pair.friction == 0) continue;
+        const RowBuilder::Size size = make_rows(scene, mesh, pair)->size();
+        rows += size.rows;
+        terms += size.terms;
     }
-    tangents_.reserve(masters);
-    grips_.reserve(masters);
-    all_.reserve(masters);
-    slip_.reserve(masters);
-    limit_.reserve(masters);
-    friction_.reserve(masters);
-    standing_.reserve(masters);
-    tangential_.reserve(masters);
-    bounded_.reserve(masters, 32 * masters);
+    tangents_.reserve(rows, terms);
+    grips_.reserve(rows);
+    all_.reserve(rows);
+    slip_.reserve(rows);
+    limit_.reserve(rows);
+    friction_.reserve(rows);
+    standing_.reserve(rows);
+    tangential_.reserve(rows, terms);
+    bounded_.reserve(rows, 32 * rows);
 }
 
-std::span<const ContactRow> FrictionalContact::friction_rows(std::size_t pair) const {
+RowSpan FrictionalContact::friction_rows(std::size_t pair) const {
     const Pair& p = pairs_[pair];
-    return std::span(tangents_).subspan(p.tangents_begin, p.tangents_end - p.tangents_begin);
+    return tangents_.part(p.tangents_begin, p.tangents_end);
 }
 
 void FrictionalContact::restart(const std::vector<std::vector<std::int32_t>>& active) {
@@ -59,7 +64,7 @@ void FrictionalContact::clear_tangents() {
 void FrictionalContact::solve(PredictedMotion& motion, ContactSolverStatistics& statistics) {
     assemble(motion);
     choose_tangents(motion);
-    tangential_.assemble(tangents_, all_, motion.inverse_mass, motion.dt * motion.kick);
+    tangential_.assemble(tangents_.all(), all_, motion.inverse_mass, motion.dt * motion.kick);
     int round = 0;
     bool changed = true;
     while (changed && round < most_rounds) {
@@ -69,7 +74,8 @@ void FrictionalContact::solve(PredictedMotion& motion, ContactSolverStatistics& 
         add_impulses(motion);
         solve_friction(motion);
         clear_impulses(motion);
-        for (const ContactRow& tangent : tangents_) add_impulse(tangent, motion);
+        const RowSpan tangents = tangents_.all();
+        for (const ContactRow& tangent : tangents) add_impulse(tangents, tangent, motion);
         const double deepest = deepest_penetration();
         changed = meet_friction(motion) > settled * deepest;
     }
@@ -90,10 +96,9 @@ void FrictionalContact::choose_tangents(const PredictedMotion& motion) {
         pair.tangents_begin = tangents_.size();
         for (; k != chosen_.end() && static_cast<std::size_t>(*k) < rows_end(p); ++k) {
             if (pair.friction == 0) continue;
-            ContactRow& tangent = tangents_.emplace_back(rows_[static_cast<std::size_t>(*k)]);
-            tangent.normal = {-tangent.normal[1], tangent.normal[0]};
-            tangent.penetration =
-                -motion.dt * along(tangent, [&](std::int32_t node) { return motion.nodes[node].v; });
+            ContactRow& tangent = tangents_.add_turned(rows_.all(), rows_[static_cast<std::size_t>(*k)]);
+            tangent.penetration = -motion.dt * along(tangents_.terms(tangent),
+                                                     [&](std::int32_t node) { return motion.nodes[node].v; });
             tangent.force = 0;
             grips_.push_back({pair.friction, *k, false});
         }
@@ -115,7 +120,7 @@ void FrictionalContact::solve_friction(const PredictedMotion& motion) {
     };
     for (std::size_t place = 0; place < count; ++place) {
         const std::size_t t = tangent_at(place);
-        slip_[place] = tangents_[t].penetration - opening(tangents_[t], motion);
+        slip_[place] = tangents_[t].penetration - opening(tangents_.terms(tangents_[t]), motion);
         limit_[place] = grips_[t].friction * rows_[static_cast<std::size_t>(grips_[t].row)].force;
     }
     for (const Coupling::Group& group : tangential_.groups())
@@ -134,7 +139,7 @@ double FrictionalContact::meet_friction(const PredictedMotion& motion) {
     double most = 0;
     for (std::size_t place = 0; place < chosen_.size(); ++place) {
         const ContactRow& row = row_at(place);
-        const double penetration = row.penetration - opening(row, motion);
+        const double penetration = row.penetration - opening(rows_.terms(row), motion);
         most = std::max(most, std::abs(penetration - penetration_[place]));
         penetration_[place] = penetration;
     }

@@ -22,7 +22,7 @@ class FrictionalContact final : public JointContact {
   public:
     FrictionalContact(const Scene& scene, const Mesh& mesh);
 
-    [[nodiscard]] std::span<const ContactRow> friction_rows(std::size_t pair) const override;
+    [[nodiscard]] RowSpan friction_rows(std::size_t pair) const override;
     [[nodiscard]] int sticking(std::size_t pair) const override { return pairs_[pair].sticking; }
     [[nodiscard]] std::unique_ptr<ContactMethod> copy() const override {
         return std::make_unique<FrictionalContact>(*this);
@@ -54,9 +54,9 @@ class FrictionalContact final : public JointContact {
     void count_sticking();
 
     std::vector<Pair> pairs_;
-    std::vector<ContactRow> tangents_;  ///< of the chosen rows with friction, pair by pair
-    std::vector<Grip> grips_;           ///< per tangent
-    std::vector<std::int32_t> all_;     ///< 0, 1, 2 ... as many as there are tangents
+    ContactRows tangents_;           ///< of the chosen rows with friction, pair by pair
+    std::vector<Grip> grips_;        ///< per tangent
+    std::vector<std::int32_t> all_;  ///< 0, 1, 2 ... as many as there are tangents
     Coupling tangential_;
     BoundedSolver bounded_;
     std::vector<double> slip_, limit_, friction_;  ///< per place in the tangential matrix

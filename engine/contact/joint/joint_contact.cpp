@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/joint/make_rows.hpp"
 #include "dynamics/double2.hpp"
 #include "run/phase_timer.hpp"
 
@@ -19,22 +20,24 @@ JointContact::JointContact(const Scene& scene, const Mesh& mesh)
     : coupling_(mesh.node_count(), wall_nodes(mesh)),
       recovery_speed_(scene.contact_solver.recovery_speed),
       listed_(static_cast<std::size_t>(mesh.node_count()), 0) {
-    std::size_t masters = 0;
+    std::size_t rows = 0, terms = 0;
     for (const ContactPair& pair : scene.contacts) {
-        Surface master = make_surface(mesh, pair.master), slave = make_surface(mesh, pair.slave);
-        const std::size_t m = add_surface(master), s = add_surface(slave), count = master.nodes.size();
-        masters += count;
+        const PairSurfaces surfaces = pair_surfaces(scene, mesh, pair);
         pairs_.push_back(
-            {NearSearch(std::move(master), std::move(slave)), m, s, std::vector<char>(count, 0)});
+            {make_rows(scene, mesh, pair), add_surface(surfaces.master), add_surface(surfaces.slave)});
+        const RowBuilder::Size size = pairs_.back().builder->size();
+        pairs_.back().pressed.assign(size.keys, 0);
+        rows += size.rows;
+        terms += size.terms;
     }
-    rows_.reserve(masters);
-    chosen_.reserve(masters);
-    in_problem_.reserve(masters);
-    penetration_.reserve(masters);
-    force_.reserve(masters);
-    standing_.reserve(masters);
-    coupling_.reserve(masters);
-    solver_.reserve(masters, 32 * masters);
+    rows_.reserve(rows, terms);
+    chosen_.reserve(rows);
+    in_problem_.reserve(rows);
+    penetration_.reserve(rows);
+    force_.reserve(rows);
+    standing_.reserve(rows);
+    coupling_.reserve(rows, terms);
+    solver_.reserve(rows, 32 * rows);
 }
 
 std::size_t JointContact::add_surface(const Surface& surface) {
@@ -47,8 +50,8 @@ std::size_t JointContact::add_surface(const Surface& surface) {
     return static_cast<std::size_t>(same - surfaces_.begin());
 }
 
-std::span<const ContactRow> JointContact::rows(std::size_t pair) const {
-    return std::span(rows_).subspan(pairs_[pair].rows_begin, pairs_[pair].rows_end - pairs_[pair].rows_begin);
+RowSpan JointContact::rows(std::size_t pair) const {
+    return rows_.part(pairs_[pair].rows_begin, pairs_[pair].rows_end);
 }
 
 void JointContact::restart(const std::vector<std::vector<std::int32_t>>& active) {
@@ -56,9 +59,9 @@ void JointContact::restart(const std::vector<std::vector<std::int32_t>>& active)
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
         pair.rows_begin = pair.rows_end = 0;
-        pair.search.restart(active[p]);
+        pair.builder->restart(active[p]);
         std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
-        for (const std::int32_t master : active[p]) pair.pressed[static_cast<std::size_t>(master)] = 1;
+        for (const std::int32_t owner : active[p]) pair.pressed[static_cast<std::size_t>(owner)] = 1;
     }
 }
 
@@ -75,8 +78,9 @@ void JointContact::resolve(PredictedMotion& motion, RunStatistics& statistics) {
     }
     remember();
     for (Pair& pair : pairs_)
-        pair.search.advance(pair.relative + 2 * motion.dt * largest_correction_,
-                            pair.slave_motion + motion.dt * largest_correction_);
+        pair.builder->advance({pair.relative + 2 * motion.dt * largest_correction_,
+                               pair.master_motion + motion.dt * largest_correction_,
+                               pair.slave_motion + motion.dt * largest_correction_});
     timer.book(statistics.seconds.contact_solve);
 }
 
@@ -94,17 +98,20 @@ void JointContact::find(const PredictedMotion& motion) {
     rows_.clear();
     for (Pair& pair : pairs_) {
         const Moving &m = surfaces_[pair.master], &s = surfaces_[pair.slave];
-        double relative = 0, slave = 0;
+        double relative = 0, master = 0, slave = 0;
         for (std::size_t d = 0; d < 2; ++d) {
             const double most = std::max(m.highest[d] - s.lowest[d], s.highest[d] - m.lowest[d]);
-            const double most_slave = std::max(s.highest[d], -s.lowest[d]);
+            const double most_master = std::max(m.highest[d], -m.lowest[d]),
+                         most_slave = std::max(s.highest[d], -s.lowest[d]);
             relative += most * most;
+            master += most_master * most_master;
             slave += most_slave * most_slave;
         }
         pair.relative = motion.dt * std::sqrt(relative);
+        pair.master_motion = motion.dt * std::sqrt(master);
         pair.slave_motion = motion.dt * std::sqrt(slave);
         pair.rows_begin = rows_.size();
-        pair.search.find({motion.nodes, motion.dt, pair.relative, motion.dt * recovery_speed_}, rows_);
+        pair.builder->find({motion.nodes, motion.dt, pair.relative, motion.dt * recovery_speed_}, rows_);
         pair.rows_end = rows_.size();
     }
 }
@@ -116,7 +123,7 @@ void JointContact::choose_rows() {
     for (const Pair& pair : pairs_) {
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
             const ContactRow& row = rows_[k];
-            if (row.penetration <= 0 && !pair.pressed[static_cast<std::size_t>(row.master)]) continue;
+            if (row.penetration <= 0 && !pair.pressed[static_cast<std::size_t>(row.key)]) continue;
             in_problem_[k] = 1;
             chosen_.push_back(static_cast<std::int32_t>(k));
         }
@@ -131,7 +138,7 @@ void JointContact::solve(PredictedMotion& motion, ContactSolverStatistics& stati
 }
 
 void JointContact::assemble(const PredictedMotion& motion) {
-    coupling_.assemble(rows_, chosen_, motion.inverse_mass, motion.dt * motion.kick);
+    coupling_.assemble(rows_.all(), chosen_, motion.inverse_mass, motion.dt * motion.kick);
     const std::size_t count = chosen_.size();
     penetration_.resize(count);
     force_.resize(count);
@@ -164,25 +171,25 @@ void JointContact::clear_impulses(const PredictedMotion& motion) {
 }
 
 void JointContact::add_impulses(const PredictedMotion& motion) {
-    for (const std::int32_t k : chosen_) add_impulse(rows_[static_cast<std::size_t>(k)], motion);
+    const RowSpan rows = rows_.all();
+    for (const std::int32_t k : chosen_) add_impulse(rows, rows[static_cast<std::size_t>(k)], motion);
 }
 
-void JointContact::add_impulse(const ContactRow& row, const PredictedMotion& motion) {
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-        const std::int32_t node = row.node[slot];
+void JointContact::add_impulse(const RowSpan& rows, const ContactRow& row, const PredictedMotion& motion) {
+    const double impulse = motion.kick * row.force;
+    for (const RowTerm& term : rows.terms(row)) {
+        const std::int32_t node = term.node;
         char& listed = listed_[static_cast<std::size_t>(node)];
         if (!listed) motion.touched->push_back(node);
         listed = 1;
-        const double share = motion.kick * row.force * row.share[slot];
-        motion.impulse[2 * node] += share * row.normal[0];
-        motion.impulse[2 * node + 1] += share * row.normal[1];
+        motion.impulse[2 * node] += impulse * term.g[0];
+        motion.impulse[2 * node + 1] += impulse * term.g[1];
     }
 }
 
-/// By how much the impulses so far move a row's master node along the row's normal, away from the slave side,
-/// within the step [length].
-double JointContact::opening(const ContactRow& row, const PredictedMotion& motion) {
-    return motion.dt * along(row, [&](std::int32_t node) {
+/// By how much the impulses so far open a row's gap within the step [length].
+double JointContact::opening(std::span<const RowTerm> terms, const PredictedMotion& motion) {
+    return motion.dt * along(terms, [&](std::int32_t node) {
                const double *inverse_mass = motion.inverse_mass + 2 * node,
                             *impulse = motion.impulse + 2 * node;
                return std::array{inverse_mass[0] * impulse[0], inverse_mass[1] * impulse[1]};
@@ -203,7 +210,7 @@ bool JointContact::add_violated(const PredictedMotion& motion) {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         if (in_problem_[k]) continue;
         const ContactRow& row = rows_[k];
-        if (row.penetration - opening(row, motion) <= violation_tolerance * deepest) continue;
+        if (row.penetration - opening(rows_.terms(row), motion) <= violation_tolerance * deepest) continue;
         in_problem_[k] = 1;
         added = true;
     }
@@ -234,7 +241,7 @@ void JointContact::remember() {
     for (Pair& pair : pairs_) {
         std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k)
-            if (rows_[k].force > 0) pair.pressed[static_cast<std::size_t>(rows_[k].master)] = 1;
+            if (rows_[k].force > 0) pair.pressed[static_cast<std::size_t>(rows_[k].key)] = 1;
     }
 }
 

@@ -2,20 +2,22 @@
 
 #include <array>
 #include <cassert>
+#include <span>
 #include <typeinfo>
 #include <vector>
 
 #include "contact/contact_method.hpp"
 #include "contact/joint/coupling.hpp"
-#include "contact/joint/near_search.hpp"
+#include "contact/joint/row_builder.hpp"
 #include "contact/solvers/bounded.hpp"
+#include "contact/surface.hpp"
 
 namespace percuss {
 
 /// All pairs at once: for each group of rows that share nodes, forces C >= 0 with
 ///     dt kick (G M^-1 G^T) C - P >= 0,  C . (dt kick (G M^-1 G^T) C - P) = 0,
 /// G the gap rates of the rows at x_n by nodal velocities, P how deep the predicted motion would go
-/// (near_search.hpp). No row closes further than its gap within the step, no force pulls, and where a gap
+/// (row_builder.hpp). No row closes further than its gap within the step, no force pulls, and where a gap
 /// stays open there is no force. The answer does not depend on the order of pairs. At the rim of a hole,
 /// where one node belongs to several pairs and rows depend on each other, the rows conflict as equations but
 /// not as inequalities.
@@ -24,9 +26,9 @@ class JointContact : public ContactMethod {
     JointContact(const Scene& scene, const Mesh& mesh);
 
     void resolve(PredictedMotion& motion, RunStatistics& statistics) override;
-    [[nodiscard]] std::span<const ContactRow> rows(std::size_t pair) const override;
+    [[nodiscard]] RowSpan rows(std::size_t pair) const override;
     [[nodiscard]] double penetration(std::size_t pair, const Node*) const override {
-        return pairs_[pair].search.deepest();
+        return pairs_[pair].builder->deepest();
     }
     [[nodiscard]] int negative_forces(std::size_t) const override { return 0; }
     [[nodiscard]] std::unique_ptr<ContactMethod> copy() const override {
@@ -49,14 +51,14 @@ class JointContact : public ContactMethod {
     void solve_forces(ContactSolverStatistics& statistics);
     static void clear_impulses(const PredictedMotion& motion);
     void add_impulses(const PredictedMotion& motion);
-    void add_impulse(const ContactRow& row, const PredictedMotion& motion);
-    [[nodiscard]] static double opening(const ContactRow& row, const PredictedMotion& motion);
+    void add_impulse(const RowSpan& rows, const ContactRow& row, const PredictedMotion& motion);
+    [[nodiscard]] static double opening(std::span<const RowTerm> terms, const PredictedMotion& motion);
     /// The largest of the predicted penetrations in the problem; 0 when there is none [length].
     [[nodiscard]] double deepest_penetration() const;
     [[nodiscard]] ContactRow& row_at(std::size_t place);  ///< place in the matrix
     [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
 
-    std::vector<ContactRow> rows_;      ///< all that could close in the step, pair by pair
+    ContactRows rows_;                  ///< all that could close in the step, pair by pair
     std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
     Coupling coupling_;                 ///< of the chosen rows
     std::vector<double> penetration_;   ///< per place in the matrix: what the forces have to prevent
@@ -68,11 +70,11 @@ class JointContact : public ContactMethod {
         std::array<double, 2> lowest, highest;  ///< [velocity]
     };
     struct Pair {
-        NearSearch search;
-        std::size_t master, slave;  ///< among the surfaces
-        std::vector<char> pressed;  ///< per master node: had force in the last step
+        AnyRowBuilder builder;
+        std::size_t master, slave;       ///< among the surfaces
+        std::vector<char> pressed = {};  ///< per key: had force in the last step
         std::size_t rows_begin = 0, rows_end = 0;
-        double relative = 0, slave_motion = 0;  ///< bounds within this step [length]
+        double relative = 0, master_motion = 0, slave_motion = 0;  ///< bounds within this step [length]
     };
 
     std::size_t add_surface(const Surface& surface);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/node_to_side.hpp"
 #include "contact/tolerances.hpp"
 
 namespace percuss {
@@ -35,17 +36,30 @@ double mean_length(const Node* nodes, const std::vector<Side>& sides) {
 
 }  // namespace
 
-NearSearch::NearSearch(Surface master, Surface slave)
+NearSearch::NearSearch(Surface master, Surface slave, NearRole role)
     : master_(std::move(master)),
       slave_(std::move(slave)),
+      role_(std::move(role)),
       tree_(slave_.sides.size()),
       memory_(master_.nodes.size()) {
     awake_.reserve(memory_.size());
+    allow_overlap();
+    if (role_.by_facing) own_sides_ = sides_beside(master_);
+}
+
+void NearSearch::allow_overlap() {
+    for (const std::int32_t master : role_.overlapping)
+        memory_[static_cast<std::size_t>(master)].allowance = OverlapAllowance::as_found();
 }
 
 void NearSearch::restart(const std::vector<std::int32_t>& active) {
     std::fill(memory_.begin(), memory_.end(), Memory{});
-    for (const std::int32_t master : active) memory_[static_cast<std::size_t>(master)].near = true;
+    allow_overlap();
+    for (const std::int32_t owner : active) {
+        const std::int32_t master = owner - role_.first_owner;
+        if (master >= 0 && static_cast<std::size_t>(master) < memory_.size())
+            memory_[static_cast<std::size_t>(master)].near = true;
+    }
     awake_.clear();
     mean_side_ = travelled_ = wake_at_ = 0;
 }
@@ -74,27 +88,30 @@ inline bool NearSearch::alone_on(const SideView& v, const Memory& memory) const 
 }
 
 inline bool NearSearch::add_row(const StepMotion& motion, std::int32_t master, const Face& face,
-                                bool was_near, std::vector<ContactRow>& rows) {
+                                const Memory& memory, ContactRows& rows) {
     const SideView& v = face.view;
-    if (face.side < 0 || v.gap > 2 * motion.range) return false;
-    if (-v.gap > std::max((was_near ? depth_limit : entry_tolerance) * v.length, motion.range)) return false;
+    if (face.side < 0) return false;
+    const double gap = memory.allowance.counted(v.gap);
+    if (-gap > std::max((memory.near ? depth_limit : entry_tolerance) * v.length, motion.range)) return false;
+    deepest_ = std::max(deepest_, -gap);
+    const bool near = gap <= 2 * motion.range;
+    const double counted = gap + role_.slack * mean_side_;
+    if (counted > 2 * motion.range) return near;
     const Side& side = slave_.sides[static_cast<std::size_t>(face.side)];
     const double a = std::clamp(v.a, 0.0, 1.0);
-    ContactRow& row = rows.emplace_back();
-    row.node = {master_.nodes[static_cast<std::size_t>(master)], side.i, side.j};
-    row.share = {1, a - 1, -a};
-    row.normal = {v.nx, v.ny};
+    const std::int32_t node = master_.nodes[static_cast<std::size_t>(master)];
+    ContactRow& row = add_node_to_side(rows, node, side, a, v.nx, v.ny, role_.of_master);
     row.side = face.side;
-    row.master = master;
-    const double *n = motion.nodes[row.node[0]].v, *i = motion.nodes[side.i].v, *j = motion.nodes[side.j].v;
-    const double rate = v.nx * (n[0] + row.share[1] * i[0] + row.share[2] * j[0]) +
-                        v.ny * (n[1] + row.share[1] * i[1] + row.share[2] * j[1]);
-    row.penetration = -(std::max(v.gap, -motion.recovery) + motion.dt * rate);
-    deepest_ = std::max(deepest_, -v.gap);
-    return true;
+    row.owner = role_.first_owner + master;
+    row.key = role_.first_key + master;
+    const double *n = motion.nodes[node].v, *i = motion.nodes[side.i].v, *j = motion.nodes[side.j].v;
+    const double rate =
+        v.nx * (n[0] + (a - 1) * i[0] + -a * j[0]) + v.ny * (n[1] + (a - 1) * i[1] + -a * j[1]);
+    row.penetration = -(std::max(counted, -motion.recovery) + motion.dt * rate);
+    return near;
 }
 
-void NearSearch::find(const StepMotion& motion, std::vector<ContactRow>& rows) {
+void NearSearch::find(const StepMotion& motion, ContactRows& rows) {
     deepest_ = 0;
     if (mean_side_ == 0) measure(motion.nodes);
     if (travelled_ + 2 * motion.range >= wake_at_) wake(motion);
@@ -104,17 +121,22 @@ void NearSearch::find(const StepMotion& motion, std::vector<ContactRow>& rows) {
         const Point x = at_start(motion.nodes, node, motion.dt);
         if (memory.closest >= 0) {
             const SideView v = view(motion, memory.closest, x);
-            if (alone_on(v, memory) && std::min(v.a, 1 - v.a) * v.length > 2 * motion.range) {
-                memory.near = add_row(motion, m, {v, memory.closest}, memory.near, rows);
+            const double clear =
+                role_.by_facing ? std::max(2 * motion.range, end_tolerance * mean_side_) : 2 * motion.range;
+            if (alone_on(v, memory) && std::min(v.a, 1 - v.a) * v.length > clear) {
+                memory.allowance.see(v.gap, 2 * motion.range);
+                memory.near = add_row(motion, m, {v, memory.closest}, memory, rows);
                 continue;
             }
         }
         const Closest closest = look(motion, x, memory);
         if (!(closest.distance < infinity)) continue;  // a diverged state has no closest side
-        const Face face = face_of(motion, x, closest);
-        const bool touches = add_row(motion, m, face, memory.near, rows);
-        const bool touches_other = add_row(motion, m, across_valley(motion, x, face), memory.near, rows);
-        memory.near = touches || touches_other;
+        const Face face = face_of(motion, m, x, closest);
+        const Face across = across_valley(motion, x, face);
+        memory.allowance.see(std::min(face.gap(), across.gap()), 2 * motion.range);
+        const bool one = add_row(motion, m, face, memory, rows);
+        const bool other = add_row(motion, m, across, memory, rows);
+        memory.near = one || other;
     }
 }
 
@@ -128,6 +150,7 @@ void NearSearch::wake(const StepMotion& motion) {
         if (memory.free_until <= travelled_ + within) {
             const Point x = at_start(motion.nodes, master_.nodes[m], motion.dt);
             memory.free_until = travelled_ + look(motion, x, memory).distance - end_tolerance * mean_side_;
+            if (memory.allowance.any()) memory.free_until = travelled_;  // touches, though it is inside
         }
         if (memory.free_until <= travelled_ + within) {
             awake_.push_back(static_cast<std::int32_t>(m));
@@ -198,7 +221,10 @@ NearSearch::Corner NearSearch::corner(const StepMotion& motion, std::int32_t fir
 }
 
 /// The face that keeps the node out, if it is in reach of one.
-NearSearch::Face NearSearch::face_of(const StepMotion& motion, const Point& x, const Closest& closest) const {
+NearSearch::Face NearSearch::face_of(const StepMotion& motion, std::int32_t master, const Point& x,
+                                     const Closest& closest) const {
+    if (role_.by_facing)
+        if (const auto face = opposed_face(motion, master, x, closest)) return *face;
     const double past = past_end(closest.view);
     if (past <= 0) return {closest.view, closest.side};
     const Side& side = slave_.sides[static_cast<std::size_t>(closest.side)];
@@ -212,6 +238,38 @@ NearSearch::Face NearSearch::face_of(const StepMotion& motion, const Point& x, c
     const SideView other = view(motion, around, x);
     const Face face = other.gap > closest.view.gap ? Face{other, around} : Face{closest.view, closest.side};
     return {face.view, past_end(face.view) > reach ? -1 : face.side};
+}
+
+/// Whether a side of the node's own surface faces this way in, within 60 degrees.
+bool NearSearch::opposes(const StepMotion& motion, std::int32_t master, const SideView& face) const {
+    for (const std::int32_t own : own_sides_[static_cast<std::size_t>(master)]) {
+        if (own < 0) continue;
+        const Side& side = master_.sides[static_cast<std::size_t>(own)];
+        const Point i = at_start(motion.nodes, side.i, motion.dt),
+                    j = at_start(motion.nodes, side.j, motion.dt);
+        const double tx = j[0] - i[0], ty = j[1] - i[1];
+        if (face.nx * ty - face.ny * tx < -0.5 * std::hypot(tx, ty)) return true;
+    }
+    return false;
+}
+
+/// Near a sharp corner of the sides, the one of its two faces that alone opposes the node's surface.
+std::optional<NearSearch::Face> NearSearch::opposed_face(const StepMotion& motion, std::int32_t master,
+                                                         const Point& x, const Closest& closest) const {
+    const SideView& v = closest.view;
+    const bool before = v.a < 0.5;
+    const double reach = end_tolerance * mean_side_;
+    const Side& side = slave_.sides[static_cast<std::size_t>(closest.side)];
+    const std::int32_t around = before ? side.previous : side.next;
+    if (around < 0 || (before ? v.a : 1 - v.a) * v.length > std::max(reach, 2 * motion.range))
+        return std::nullopt;
+    if (corner(motion, before ? around : closest.side, before ? closest.side : around) != Corner::sharp)
+        return std::nullopt;
+    const SideView other = view(motion, around, x);
+    const bool own_opposes = opposes(motion, master, v);
+    if (own_opposes == opposes(motion, master, other)) return std::nullopt;
+    const Face face = own_opposes ? Face{v, closest.side} : Face{other, around};
+    return Face{face.view, past_end(face.view) > reach ? -1 : face.side};
 }
 
 /// A node at the bottom of a valley between two sides is kept out by both: were it by the closer one only, it

@@ -11,8 +11,8 @@ Projection::Projection(PenetrationSearch search, ContactSign sign, std::int32_t 
     : search_(std::move(search)), sign_(sign), assembly_(node_count) {
     // No step allocates, the first contact included.
     const std::size_t most = search_.master().nodes.size();
-    rows_.reserve(most);
-    assembly_.reserve(most);
+    rows_.reserve(most, 3 * most);
+    assembly_.reserve(3 * most);
     matrix_.reserve(most, 4 * most);
     cholesky_.reserve(most, 4 * most);
     penetration_.reserve(most);
@@ -28,12 +28,12 @@ void Projection::resolve(PredictedMotion& motion) {
     solve_forces(motion);
     for (const ContactRow& row : rows_) {
         correct(row, motion);
-        motion.touched->insert(motion.touched->end(), row.node.begin(), row.node.end());
+        for (const RowTerm& term : rows_.terms(row)) motion.touched->push_back(term.node);
     }
 }
 
 void Projection::solve_forces(const PredictedMotion& motion) {
-    assembly_.assemble(rows_, motion.inverse_mass, motion.dt * motion.kick, matrix_);
+    assembly_.assemble(rows_.all(), motion.inverse_mass, motion.dt * motion.kick, matrix_);
     penetration_.resize(rows_.size());
     for (std::size_t k = 0; k < rows_.size(); ++k) penetration_[k] = rows_[k].penetration;
     active_.assign(rows_.size(), 1);
@@ -49,10 +49,10 @@ void Projection::solve_forces(const PredictedMotion& motion) {
 }
 
 void Projection::correct(const ContactRow& row, PredictedMotion& motion) const {
-    const Double2 impulse = motion.kick * row.force * load_pair(row.normal.data());
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto node = static_cast<std::size_t>(row.node[k]);
-        const Double2 share = row.share[k] * impulse;
+    const double impulse = motion.kick * row.force;
+    for (const RowTerm& term : rows_.terms(row)) {
+        const auto node = static_cast<std::size_t>(term.node);
+        const Double2 share = impulse * load_pair(term.g.data());
         const Double2 change = load_pair(motion.inverse_mass + 2 * node) * share;
         double* const received = motion.impulse + 2 * node;
         store_pair(received, load_pair(received) + share);

@@ -23,7 +23,7 @@ class Projection final : public PairScheme {
 
     void find(const PredictedMotion& motion) override;
     void resolve(PredictedMotion& motion) override;
-    [[nodiscard]] std::span<const ContactRow> rows() const override { return rows_; }
+    [[nodiscard]] RowSpan rows() const override { return rows_.all(); }
     [[nodiscard]] double penetration_left(const Node* nodes) const override;
     [[nodiscard]] int negative_forces() const override { return negative_; }
     [[nodiscard]] std::unique_ptr<PairScheme> copy() const override {
@@ -41,7 +41,7 @@ class Projection final : public PairScheme {
     ContactAssembly assembly_;
     BoundedSolver bounded_;
     ProfileCholesky cholesky_;
-    std::vector<ContactRow> rows_;
+    ContactRows rows_;
     ProfileMatrix matrix_;
     std::vector<double> penetration_, force_;
     std::vector<char> active_;

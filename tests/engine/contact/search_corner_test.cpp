@@ -6,9 +6,12 @@
 
 #include "contact/search.hpp"
 #include "engine/contact/chain.hpp"
+#include "engine/contact/node_row.hpp"
 
 namespace percuss {
 namespace {
+
+using testing::NodeRow;
 
 using Points = std::vector<std::array<double, 2>>;
 
@@ -39,15 +42,17 @@ class SearchCorner : public ::testing::Test {
     /// The top alone.
     void open_face() { slave({{4, 0}, {3, 0}, {2, 0}, {1, 0}, {0, 0}}, false); }
 
-    const std::vector<ContactRow>& move(double from_x, double from_y, double to_x, double to_y) {
+    const std::vector<NodeRow>& move(double from_x, double from_y, double to_x, double to_y) {
         nodes_[0] = {{to_x, to_y}, {(to_x - from_x) / dt, (to_y - from_y) / dt}};
-        search_->find(nodes_.data(), dt, rows_);
+        ContactRows rows;
+        search_->find(nodes_.data(), dt, rows);
+        rows_ = testing::node_rows(rows.all());
         return rows_;
     }
     /// A row on the given side with this normal and depth, its force shared at (x, y).
     void expect_row(double nx, double ny, double depth, double x, double y) {
         ASSERT_EQ(rows_.size(), 1U);
-        const ContactRow& row = rows_[0];
+        const NodeRow& row = rows_[0];
         EXPECT_NEAR(row.normal[0], nx, 1e-12);
         EXPECT_NEAR(row.normal[1], ny, 1e-12);
         EXPECT_NEAR(row.penetration, depth, 1e-12);
@@ -64,7 +69,7 @@ class SearchCorner : public ::testing::Test {
     static constexpr double dt = 0.1;
     std::vector<Node> nodes_;
     std::optional<PenetrationSearch> search_;
-    std::vector<ContactRow> rows_;
+    std::vector<NodeRow> rows_;
 };
 
 TEST_F(SearchCorner, OneSideHoldsANodeBetweenItsEnds) {

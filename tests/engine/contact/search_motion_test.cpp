@@ -6,6 +6,7 @@
 
 #include "contact/search.hpp"
 #include "engine/contact/chain.hpp"
+#include "engine/contact/node_row.hpp"
 #include "engine/contact/solvers/random_system.hpp"
 
 namespace percuss {
@@ -77,8 +78,8 @@ class Flight {
 
     /// Puts the row's master node on the surface, moves the slave side a little, and nudges others: what
     /// contact does.
-    void correct(const std::vector<ContactRow>& rows) {
-        for (const ContactRow& row : rows) {
+    void correct(const ContactRows& rows) {
+        for (const testing::NodeRow& row : testing::node_rows(rows.all())) {
             Node& node = nodes_[static_cast<std::size_t>(row.node[0])];
             for (std::size_t d = 0; d < 2; ++d) {
                 node.x[d] += 0.99 * row.penetration * row.normal[d];
@@ -114,7 +115,7 @@ TEST(SearchMotion, FindsExactlyTheNodesInsideAtEveryStep) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Flight flight(seed);
         PenetrationSearch search(flight.master_, flight.slave_);
-        std::vector<ContactRow> rows;
+        ContactRows rows;
         for (int step = 0; step < 400; ++step) {
             if (step % 100 == 99) flight.steer();
             flight.step();
@@ -123,7 +124,7 @@ TEST(SearchMotion, FindsExactlyTheNodesInsideAtEveryStep) {
             for (const std::int32_t master : flight.master_.nodes) {
                 const double* x = flight.nodes_[static_cast<std::size_t>(master)].x;
                 const auto row = std::find_if(rows.begin(), rows.end(),
-                                              [&](const auto& r) { return r.node[0] == master; });
+                                              [&](const auto& r) { return rows.terms(r)[0].node == master; });
                 const double away = distance(flight.nodes_, flight.slave_, x);
                 if (!inside(flight.nodes_, flight.slave_, x)) {
                     ASSERT_TRUE(row == rows.end() || away < 1e-12) << "seed " << seed << " step " << step;
@@ -151,7 +152,7 @@ TEST(SearchMotion, RemembersNothingThatMatters) {
     for (unsigned seed = 100; seed < 110; ++seed) {
         Flight flight(seed);
         PenetrationSearch search(flight.master_, flight.slave_), fresh(flight.master_, flight.slave_);
-        std::vector<ContactRow> rows, anew;
+        ContactRows rows, anew;
         for (int step = 0; step < 300; ++step) {
             if (step % 100 == 99) flight.steer();
             flight.step();
@@ -160,7 +161,7 @@ TEST(SearchMotion, RemembersNothingThatMatters) {
             fresh.find(flight.nodes_.data(), Flight::dt, anew);
             ASSERT_EQ(rows.size(), anew.size()) << "seed " << seed << " step " << step;
             for (std::size_t k = 0; k < rows.size(); ++k) {
-                EXPECT_EQ(rows[k].master, anew[k].master);  // at a vertex either side will do
+                EXPECT_EQ(rows[k].owner, anew[k].owner);  // at a vertex either side will do
                 EXPECT_EQ(rows[k].penetration, anew[k].penetration);
             }
             flight.correct(rows);
@@ -174,7 +175,7 @@ TEST(SearchMotion, SeesMotionThatNoVelocityTells) {
     const Surface slave = testing::append_chain(nodes, {{4, 0}, {3, 0}, {2, 0}, {1, 0}, {0, 0}}, false);
     const Surface master = testing::append_points(nodes, {{1.5, 0.5}});
     PenetrationSearch search(master, slave);
-    std::vector<ContactRow> rows;
+    ContactRows rows;
     search.find(nodes.data(), 0.1, rows);
     EXPECT_TRUE(rows.empty());
     nodes[5].x[1] = 0.1;
@@ -191,7 +192,7 @@ TEST(SearchMotion, IsAwakeWhenANodePassesTheEnd) {
     const Surface slave = testing::append_chain(nodes, {{4, 0}, {3, 0}, {2, 0}, {1, 0}, {0, 0}}, false);
     const Surface master = testing::append_points(nodes, {{4.018, 0.05}});
     PenetrationSearch search(master, slave);
-    std::vector<ContactRow> rows;
+    ContactRows rows;
     for (int step = 0; rows.empty() && step < 100; ++step) {
         nodes[5].v[1] = -0.01;
         nodes[5].x[1] -= 0.001;

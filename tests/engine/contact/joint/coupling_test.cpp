@@ -6,16 +6,19 @@
 #include <gtest/gtest.h>
 
 #include "contact/solvers/bounded.hpp"
+#include "engine/contact/node_row.hpp"
 #include "engine/contact/solvers/random_system.hpp"
 
 namespace percuss {
 namespace {
 
+using testing::common_form;
 using testing::Dense;
+using testing::NodeRow;
 using testing::Rng;
 
-ContactRow random_row(Rng& random, int nodes) {
-    ContactRow row;
+NodeRow random_row(Rng& random, int nodes) {
+    NodeRow row;
     row.node = {random.index(nodes), random.index(nodes), random.index(nodes)};
     while (row.node[1] == row.node[0]) row.node[1] = random.index(nodes);
     while (row.node[2] == row.node[0] || row.node[2] == row.node[1]) row.node[2] = random.index(nodes);
@@ -26,13 +29,13 @@ ContactRow random_row(Rng& random, int nodes) {
 }
 
 /// factor G M^-1 G^T by dense algebra, in the given order of rows.
-Dense reference(const std::vector<ContactRow>& rows, const std::vector<std::int32_t>& order,
+Dense reference(const std::vector<NodeRow>& rows, const std::vector<std::int32_t>& order,
                 const std::vector<double>& inverse_mass, double factor) {
     const auto n = static_cast<Eigen::Index>(order.size()),
                m = static_cast<Eigen::Index>(inverse_mass.size());
     Dense g = Dense::Zero(n, m);
     for (Eigen::Index k = 0; k < n; ++k) {
-        const ContactRow& row = rows[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
+        const NodeRow& row = rows[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
         for (std::size_t slot = 0; slot < 3; ++slot)
             for (int d = 0; d < 2; ++d)
                 g(k, 2 * row.node[slot] + d) += row.share[slot] * row.normal[static_cast<std::size_t>(d)];
@@ -52,7 +55,7 @@ TEST(Coupling, IsTheMatrixOfTheRowsWithALittleMoreOnTheDiagonal) {
     constexpr int nodes = 60;
     Coupling coupling(nodes);
     for (int round = 0; round < 100; ++round) {
-        std::vector<ContactRow> rows;
+        std::vector<NodeRow> rows;
         std::vector<std::int32_t> chosen;
         for (std::int32_t k = 0; k < 1 + round % 30; ++k) {
             rows.push_back(random_row(random, nodes));
@@ -62,8 +65,8 @@ TEST(Coupling, IsTheMatrixOfTheRowsWithALittleMoreOnTheDiagonal) {
         // Twice: the second time its structure is known already, and normals have turned.
         for (int turn = 0; turn < 2; ++turn) {
             if (turn == 1)
-                for (ContactRow& row : rows) std::swap(row.normal[0], row.normal[1]);
-            coupling.assemble(rows, chosen, inverse_mass.data(), 3);
+                for (NodeRow& row : rows) std::swap(row.normal[0], row.normal[1]);
+            coupling.assemble(common_form(rows).all(), chosen, inverse_mass.data(), 3);
             Dense expected = reference(rows, rows_in_order(coupling, chosen), inverse_mass, 3);
             expected.diagonal() *= 1 + 1e-8;
             ASSERT_EQ(coupling.matrix().rows(), expected.rows());
@@ -80,14 +83,14 @@ TEST(Coupling, GroupsShareNoNodesAndHoldEveryRowOnce) {
     Coupling coupling(nodes);
     std::size_t most_groups = 0;
     for (int round = 0; round < 100; ++round) {
-        std::vector<ContactRow> rows;
+        std::vector<NodeRow> rows;
         std::vector<std::int32_t> chosen;
         for (std::int32_t k = 0; k < 2 + round % 20; ++k) {
             rows.push_back(random_row(random, nodes));
             chosen.push_back(k);
         }
         const std::vector<double> inverse_mass(2 * nodes, 1);
-        coupling.assemble(rows, chosen, inverse_mass.data(), 1);
+        coupling.assemble(common_form(rows).all(), chosen, inverse_mass.data(), 1);
         std::vector<int> group_of_node(nodes, -1), seen(rows.size(), 0);
         int g = 0;
         std::int32_t at = 0;
@@ -114,19 +117,19 @@ TEST(Coupling, GroupsShareNoNodesAndHoldEveryRowOnce) {
 
 // All rows on one wall share its two nodes.
 TEST(Coupling, NodesOfWallsJoinNoGroups) {
-    std::vector<ContactRow> rows(2);
+    std::vector<NodeRow> rows(2);
     rows[0].node = {0, 8, 9};
     rows[1].node = {1, 8, 9};
-    for (ContactRow& row : rows) {
+    for (NodeRow& row : rows) {
         row.share = {1, -0.5, -0.5};
         row.normal = {0, 1};
     }
     const std::vector<double> inverse_mass(20, 1);
     const std::vector<std::int32_t> both{0, 1}, wall{8, 9};
     Coupling moving(10), fixed(10, wall);
-    moving.assemble(rows, both, inverse_mass.data(), 1);
+    moving.assemble(common_form(rows).all(), both, inverse_mass.data(), 1);
     EXPECT_EQ(moving.groups().size(), 1U);
-    fixed.assemble(rows, both, inverse_mass.data(), 1);
+    fixed.assemble(common_form(rows).all(), both, inverse_mass.data(), 1);
     EXPECT_EQ(fixed.groups().size(), 2U);
 }
 
@@ -134,11 +137,11 @@ TEST(Coupling, NodesOfWallsJoinNoGroups) {
 // across the whole matrix.
 TEST(Coupling, OrderOfPairsDoesNotWidenTheProfile) {
     constexpr std::int32_t count = 40;
-    std::vector<ContactRow> rows;
+    std::vector<NodeRow> rows;
     std::vector<std::int32_t> chosen;
     for (std::int32_t pair = 0; pair < 2; ++pair)
         for (std::int32_t k = 0; k < count; ++k) {
-            ContactRow row;
+            NodeRow row;
             row.node = {k, 100 + 100 * pair + k, 101 + 100 * pair + k};
             row.share = {1, -0.5, -0.5};
             row.normal = {0, 1};
@@ -147,7 +150,7 @@ TEST(Coupling, OrderOfPairsDoesNotWidenTheProfile) {
         }
     const std::vector<double> inverse_mass(2 * 400, 1);
     Coupling coupling(400);
-    coupling.assemble(rows, chosen, inverse_mass.data(), 1);
+    coupling.assemble(common_form(rows).all(), chosen, inverse_mass.data(), 1);
     EXPECT_EQ(coupling.groups().size(), 1U);
     std::int32_t widest = 0;
     for (std::int32_t k = 0; k < coupling.matrix().rows(); ++k)
@@ -161,7 +164,7 @@ TEST(Coupling, OrderOfPairsDoesNotWidenTheProfile) {
 TEST(Coupling, DependentRowsOfARimAreSolvedWithinTheRegularisation) {
     constexpr std::int32_t a = 0, b = 1, c = 2, fixed = 3;
     const auto row = [](std::int32_t master, std::int32_t slave, double penetration) {
-        ContactRow r;
+        NodeRow r;
         r.node = {master, slave, fixed};
         r.share = {1, -1, 0};
         r.normal = {0, 1};
@@ -170,13 +173,13 @@ TEST(Coupling, DependentRowsOfARimAreSolvedWithinTheRegularisation) {
     };
     Rng random(13);
     for (int round = 0; round < 200; ++round) {
-        std::vector<ContactRow> rows{row(a, b, random.uniform(-1, 1)), row(c, b, random.uniform(-1, 1)),
-                                     row(a, c, random.uniform(-1, 1))};
+        std::vector<NodeRow> rows{row(a, b, random.uniform(-1, 1)), row(c, b, random.uniform(-1, 1)),
+                                  row(a, c, random.uniform(-1, 1))};
         const std::vector<std::int32_t> all{0, 1, 2};
         std::vector<double> inverse_mass(8, 0);
         for (std::size_t k = 0; k < 6; ++k) inverse_mass[k] = random.uniform(0.2, 2);
         Coupling coupling(4);
-        coupling.assemble(rows, all, inverse_mass.data(), 1);
+        coupling.assemble(common_form(rows).all(), all, inverse_mass.data(), 1);
         std::vector<double> p, force(3);
         for (const std::int32_t k : coupling.order())
             p.push_back(rows[static_cast<std::size_t>(k)].penetration);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/contact/chain.hpp"
+#include "engine/contact/node_row.hpp"
 #include "engine/contact/solvers/random_system.hpp"
 
 namespace percuss {
@@ -14,6 +15,8 @@ namespace {
 
 using testing::append_chain;
 using testing::append_points;
+using testing::node_rows;
+using testing::NodeRow;
 using testing::Rng;
 
 /// A floor from x = 0 to 10 in ten sides at height 0, its body below, and master nodes above it.
@@ -27,14 +30,14 @@ struct Floor {
         slave = append_chain(nodes, points, false);
     }
     /// The rows of one master node at (x, y) before the step, moving by (dx, dy) within it.
-    std::vector<ContactRow> rows_of(std::array<double, 2> start, std::array<double, 2> motion,
-                                    double recovery = 1) {
+    std::vector<NodeRow> rows_of(std::array<double, 2> start, std::array<double, 2> motion,
+                                 double recovery = 1) {
         std::vector<Node> all = nodes;
         const Surface master = append_points(all, {start});
         all.back() = {{start[0] + motion[0], start[1] + motion[1]}, {motion[0], motion[1]}};
-        std::vector<ContactRow> rows;
+        ContactRows rows;
         NearSearch(master, slave).find({all.data(), 1, std::hypot(motion[0], motion[1]), recovery}, rows);
-        return rows;
+        return node_rows(rows.all());
     }
 };
 
@@ -71,8 +74,9 @@ TEST(NearSearch, ValleyHoldsANodeByBothItsSides) {
     const Surface master = append_points(nodes, {{0.001, 0.002}});
     nodes.back() = {{0.001, -0.018}, {0, -0.02}};
     NearSearch search(master, slave);
-    std::vector<ContactRow> rows;
-    search.find({nodes.data(), 1, 0.02, 1}, rows);
+    ContactRows found;
+    search.find({nodes.data(), 1, 0.02, 1}, found);
+    const auto rows = node_rows(found.all());
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_LT(rows[0].normal[0] * rows[1].normal[0], 0);
     EXPECT_GT(rows[0].penetration, 0);
@@ -85,7 +89,7 @@ TEST(NearSearch, RidgeHoldsANodeByOneSide) {
     const Surface master = append_points(nodes, {{0.0005, 0.002}});
     nodes.back() = {{0.0005, -0.018}, {0, -0.02}};
     NearSearch search(master, slave);
-    std::vector<ContactRow> rows;
+    ContactRows rows;
     search.find({nodes.data(), 1, 0.02, 1}, rows);
     EXPECT_EQ(rows.size(), 1U);
 }
@@ -100,14 +104,63 @@ TEST(NearSearch, SharpCornerIsEnteredThroughTheFaceThatTheNodeIsInFrontOf) {
         const Surface master = append_points(all, {start});
         all.back() = {{start[0] - 0.01, start[1] - 0.01}, {-0.01, -0.01}};
         NearSearch search(master, slave);
-        std::vector<ContactRow> rows;
+        ContactRows rows;
         search.find({all.data(), 1, 0.0142, 1}, rows);
         if (rows.size() != 1) return {0, 0};
-        return rows[0].normal;
+        return node_rows(rows.all())[0].normal;
     };
     EXPECT_EQ(normal_of({1.001, 1.006}), (std::array<double, 2>{0, 1}));
     EXPECT_EQ(normal_of({1.006, 1.001}), (std::array<double, 2>{1, 0}));
     EXPECT_EQ(normal_of({0.999, 1.001}), (std::array<double, 2>{0, 1}));
+}
+
+// A node that begins inside touches where it is, until it has been clear of the surface.
+TEST(NearSearch, OverlapAtTheStartIsAllowedUntilTheNodeIsClear) {
+    Floor floor;
+    std::vector<Node> nodes = floor.nodes;
+    const Surface master = append_points(nodes, {{3.3, -0.1}});
+    NearRole role;
+    role.overlapping = {0};
+    NearSearch search(master, floor.slave, role);
+    const auto penetration_at = [&](double start, double motion) {
+        nodes.back() = {{3.3, start + motion}, {0, motion}};
+        ContactRows rows;
+        search.find({nodes.data(), 1, 0.05, 1}, rows);
+        search.advance(0.05, 0);
+        return rows.empty() ? -1 : rows[0].penetration;
+    };
+    EXPECT_NEAR(penetration_at(-0.1, 0), 0, 1e-15) << "no kick";
+    EXPECT_NEAR(penetration_at(-0.1, -0.03), 0.03, 1e-15) << "no deeper";
+    EXPECT_NEAR(penetration_at(-0.13, 0), 0.03, 1e-15) << "deeper than it began";
+    EXPECT_NEAR(penetration_at(-0.06, 0), -0.04, 1e-15) << "the gap does not close up behind it";
+    EXPECT_NEAR(penetration_at(-0.09, 0), -0.01, 1e-15);
+    penetration_at(0.09, 0);  // a step could still bring it back
+    EXPECT_NEAR(penetration_at(-0.09, 0), -0.01, 1e-15);
+    EXPECT_EQ(penetration_at(0.11, 0), -1) << "has left";
+    EXPECT_NEAR(penetration_at(-0.02, 0), 0.02, 1e-15);
+}
+
+// Flush blocks: the corner node of the upper stands on the lower, though it hangs over by a hair.
+TEST(NearSearch, CornersOfFlushBodiesStandOnEachOther) {
+    std::vector<Node> nodes;
+    const Surface lower = append_chain(nodes, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true);
+    for (const double hair : {-1e-6, 0.0, 1e-6}) {
+        for (const double depth : {-1e-6, 0.0, 1e-5}) {
+            std::vector<Node> all = nodes;
+            const Surface upper =
+                append_chain(all, {{hair, 1 - depth}, {1 + hair, 1 - depth}, {1 + hair, 2}, {hair, 2}}, true);
+            NearRole role;
+            role.by_facing = true;
+            NearSearch search(upper, lower, role);
+            ContactRows rows;
+            search.find({all.data(), 1, 1e-3, 1}, rows);
+            ASSERT_EQ(rows.size(), 2U) << hair << ", " << depth;
+            for (const NodeRow& row : node_rows(rows.all())) {
+                EXPECT_NEAR(row.normal[1], 1, 1e-15);
+                EXPECT_NEAR(row.penetration, depth, 1e-12);
+            }
+        }
+    }
 }
 
 /// Least distance of a point from the sides at the start of the step.
@@ -137,7 +190,7 @@ TEST(NearSearch, MissesNoNodeWhileSurfacesMove) {
     for (int k = 0; k < 150; ++k) cloud.push_back({random.uniform(-4, 4), random.uniform(1.0001, 2)});
     const Surface master = append_points(nodes, cloud);
     NearSearch search(master, slave);
-    std::vector<ContactRow> rows;
+    ContactRows rows;
     const double dt = 0.5;
     int seen = 0;
     for (int step = 0; step < 1500; ++step) {
@@ -159,7 +212,7 @@ TEST(NearSearch, MissesNoNodeWhileSurfacesMove) {
             const double distance =
                 brute_force(nodes, slave, nodes[static_cast<std::size_t>(master.nodes[m])], dt);
             const auto row = std::find_if(rows.begin(), rows.end(), [&](const ContactRow& r) {
-                return r.master == static_cast<std::int32_t>(m);
+                return r.owner == static_cast<std::int32_t>(m);
             });
             if (distance < dt * fastest && row == rows.end()) {
                 // Only a node that is deep inside already may be without a row: nothing holds it here.

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "aligned.hpp"
 #include "contact/predicted_motion.hpp"
+#include "contact/row.hpp"
 #include "engine/contact/solvers/random_system.hpp"
 #include "mesh/build.hpp"
 #include "verification/run.hpp"
@@ -54,6 +56,9 @@ struct RandomStep {
     void resolve() {
         PredictedMotion motion{dt, kick, nodes.data(), inverse_mass.data(), impulse.data(), &touched};
         contact.resolve(motion, statistics);
+    }
+    [[nodiscard]] double gap_rate(std::span<const RowTerm> terms) const {
+        return along(terms, [&](std::int32_t node) { return nodes[static_cast<std::size_t>(node)].v; });
     }
 };
 
