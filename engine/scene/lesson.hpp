@@ -8,9 +8,9 @@
 
 namespace percuss {
 
-/// Cases that `percuss compare` runs of a scene: each scheme with each step and each value.
+/// The cases of a lesson's figure: each scheme with each step and each value.
 struct Comparison {
-    std::vector<std::string> schemes;  ///< named_schemes.hpp; empty: the scene's own
+    std::vector<std::string> schemes;  ///< named_schemes.hpp; empty: all that the scene can take
     std::vector<double> steps;         ///< fractions of the critical step; empty: the scene's own
     std::vector<double> values;        ///< of the lesson's control, a parameter; empty: the scene's own
     bool operator==(const Comparison&) const = default;

@@ -17,9 +17,10 @@ NamedScheme projection(const char* name, const char* lagged, const char* sign, c
             explanation};
 }
 
-NamedScheme joint(const char* name, const char* explanation) {
+NamedScheme joint(const char* name, const char* rows, const char* explanation) {
     return {name,
-            {"contact_solver.scheme=joint", "contact.*.sign=restricted", "model.lagged=false"},
+            {"contact_solver.scheme=joint", "contact.*.sign=restricted", "model.lagged=false",
+             std::string("contact.*.scheme=") + rows},
             explanation};
 }
 
@@ -33,7 +34,11 @@ const std::vector<NamedScheme>& named_schemes() {
                    "projection by the paper's equations as they stand: contact may pull"),
         projection("projection", "false", "restricted",
                    "the paper's nodal projection, pair by pair; contact only pushes"),
-        joint("joint", "node-to-side rows of all pairs in one nonnegative problem"),
+        joint("joint", "node-to-side",
+              "all pairs in one nonnegative problem: master nodes out of slave sides"),
+        joint("symmetric", "symmetric", "the same with nodes of both out of sides of the other: no roles"),
+        joint("segment-to-segment", "segment-to-segment",
+              "the same with mean gaps of overlapping sides (mortar), and guards for nodes"),
     };
     return table;
 }
