@@ -11,10 +11,14 @@
 #include "exit_status.hpp"
 #include "finished_run.hpp"
 #include "image.hpp"
+#include "nearest_name.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "recorded_run.hpp"
+#include "scene/named_schemes.hpp"
+#include "scene/parse.hpp"
 #include "ui/screen.hpp"
+#include "workbench/lessons.hpp"
 #include "workbench/script.hpp"
 #include "workbench/workbench.hpp"
 
@@ -27,7 +31,7 @@ constexpr double frame_period = 1.0 / 60;  // [s]
 struct ViewCommand {
     std::string scene;
     std::optional<std::string> size, layout;
-    std::vector<std::string> overrides;
+    std::vector<std::string> overrides, beside;
     std::optional<std::string> script;
     bool headless = false, dark = false;
     double scale = 0;  // percent; 0: as the display says
@@ -117,7 +121,7 @@ void rest(render::Screen& screen, const Workbench& workbench, Clock::time_point 
     const double left = frame_period - std::chrono::duration<double>(Clock::now() - frame_began).count();
     const bool waits = workbench.run.building() || workbench.exports.busy() ||
                        workbench.run.status() == RunStatus::running || workbench.run.playing() ||
-                       workbench.run.reading();
+                       workbench.beside_busy() || workbench.run.reading();
     if (scripted) {
         if (waits && left > 0) screen.rest(left);
     } else if (workbench.at_rest()) {
@@ -127,15 +131,40 @@ void rest(render::Screen& screen, const Workbench& workbench, Clock::time_point 
     }
 }
 
+/// Puts runs beside the one that is opened: "scheme=NAME", or a value as --set.
+void add_beside(Workbench& workbench, const ViewCommand& command) {
+    for (const std::string& wanted : command.beside) {
+        const auto equals = wanted.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw UsageError(fmt::format("--beside {}: write scheme=NAME or KEY=VALUE", wanted));
+        const std::string key = wanted.substr(0, equals), value = wanted.substr(equals + 1);
+        std::vector<std::string> all = command.overrides;
+        if (key != "scheme") {
+            all.push_back(wanted);
+            static_cast<void>(load_scene(command.scene, all));
+            workbench.add_beside(command.scene, all, key.substr(key.rfind('.') + 1) + " " + value);
+            continue;
+        }
+        const NamedScheme* scheme = find_scheme(value);
+        if (scheme == nullptr)
+            throw UsageError(
+                fmt::format("--beside: unknown scheme '{}'{}", value, suggest_name(value, scheme_names())));
+        for (std::string& setting : scheme_overrides(*scheme, load_scene(command.scene, command.overrides)))
+            all.push_back(std::move(setting));
+        static_cast<void>(load_scene(command.scene, all));
+        workbench.add_beside(command.scene, all, value);
+    }
+}
+
 int view(const ViewCommand& command) {
     if (command.headless && !command.script)
         throw UsageError("view --headless draws nothing that anybody sees; give it --script FILE");
     if (std::filesystem::path(command.scene).extension() == ".h5" ||
         std::filesystem::is_directory(command.scene)) {
         static_cast<void>(run_file_of(command.scene));
-        if (!command.overrides.empty())
-            throw UsageError(
-                fmt::format("{}: a recorded run stays as it was; --set is for scenes", command.scene));
+        if (!command.overrides.empty() || !command.beside.empty())
+            throw UsageError(fmt::format(
+                "{}: a recorded run stays as it was; --set and --beside are for scenes", command.scene));
     }
     std::optional<ScriptPlayer> player;
     if (command.script) player.emplace(read_script(*command.script), *command.script);
@@ -149,12 +178,15 @@ int view(const ViewCommand& command) {
     workbench.use_layout(std::move(layout));
     if (command.dark) screen->set_dark(true);
     if (layout_kept) workbench.thumbnails.keep_in(thumbnail_folder());
-    if (command.scene.empty())
+    if (command.scene == "lessons" && !std::filesystem::exists(command.scene))
+        list_lessons(workbench);
+    else if (command.scene.empty())
         workbench.pick_scene = !player;
     else
         workbench.run.open(command.scene, command.overrides);
     std::optional<LayoutKeeper> keeper;
     if (layout_kept) keeper.emplace(*layout_kept);
+    add_beside(workbench, command);
     while (!workbench.quit) {
         const Clock::time_point began = Clock::now();
         const render::ScriptedInput* input = player ? &player->before_frame(workbench) : nullptr;
@@ -189,8 +221,15 @@ void add_view(CLI::App& app, Job& job) {
     command.add_option(
         "SCENE", options->scene,
         "scene file, e.g. scenes/nail.toml, or a recorded run: its directory or run.h5; without "
-        "one the window asks for it");
+        "one the window asks for it, with the word lessons for one of the lessons");
     command.add_option("--set", options->overrides, "override a value of the scene; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+    command
+        .add_option("--beside", options->beside,
+                    "another run of the scene beside it, at the same time: scheme=NAME (see 'percuss compare "
+                    "--help') or KEY=VALUE as --set; may be repeated")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();

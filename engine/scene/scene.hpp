@@ -12,6 +12,7 @@
 #include "mesh/mesh.hpp"
 #include "scene/figure_spec.hpp"
 #include "scene/formula.hpp"
+#include "scene/lesson.hpp"
 #include "scene/place.hpp"
 #include "units.hpp"
 
@@ -266,7 +267,7 @@ struct ViewOptions {
     std::optional<double> force_reference;  ///< force drawn as the reference arrow [force]
     /// Part of the reference force below which no arrow is drawn; absent: 0.01, logarithmic 0.001.
     std::optional<double> force_cut_off;
-    bool velocities = true;                 ///< arrow and label of each body's mean velocity
+    bool velocities = true;  ///< arrow and label of each body's mean velocity
     VerticalAxis up = VerticalAxis::second;
     std::optional<std::array<double, 4>>
         window;                          ///< shown region {min0, min1, max0, max1}; absent: all bodies
@@ -330,6 +331,7 @@ struct Scene {
     Analysis analysis;
     std::vector<ExactHistory> exact;
     std::vector<Expectation> expect;
+    std::optional<Lesson> lesson;
 
     std::string file;                    ///< path as given, for messages
     std::string text;                    ///< the file's text, as read

@@ -99,7 +99,7 @@ void show_scene_picker(Workbench& w) {
     }
     const bool fresh = !std::exchange(picker.open, true);
     if (fresh) {
-        picker = {find_scenes(w.layout.recent, w.run.file()), "", 0, true};
+        picker = {find_scenes(w.layout.recent, w.run.file()), std::exchange(w.pick_typed, ""), 0, true};
         w.thumbnails.want(picker.scenes);
     }
     w.thumbnails.advance(w.screen.context());

@@ -156,9 +156,8 @@ void choose_sides(Workbench& w) {
     if (wanted && m.sides.empty() && m.setup) m.sides = render::contact_sides(*m.setup);
 }
 
-}  // namespace
-
-void show_viewport(Workbench& w, const PanelArea& area) {
+/// The run whose design is moved, in its part of the viewport.
+void show_own_run(Workbench& w, const PanelArea& area) {
     const Panel panel("viewport", area, false, false);
     if (!w.run.snapshot()) {
         const char* words =
@@ -192,6 +191,14 @@ void show_viewport(Workbench& w, const PanelArea& area) {
     open_menu(w);
     show_place_menu(w);
     show_values_under_mouse(w);
+}
+
+}  // namespace
+
+void show_viewport(Workbench& w, const PanelArea& area) {
+    const std::vector<PanelArea> parts = viewport_parts(area, 1 + w.beside.size());
+    show_own_run(w, parts.front());
+    if (w.viewport.view && w.viewport.drawn) show_beside(w, {parts.begin() + 1, parts.end()});
 }
 
 }  // namespace percuss::app
