@@ -19,6 +19,8 @@ click run.step
 wait steps = 1
 wait beside.newest > 0
 wait beside.busy = 0
+frames 5
+expect beside.newest < 0.001
 do run.toggle
 wait status = finished
 wait beside.busy = 0
