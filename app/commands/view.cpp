@@ -162,9 +162,11 @@ int view(const ViewCommand& command) {
     if (std::filesystem::path(command.scene).extension() == ".h5" ||
         std::filesystem::is_directory(command.scene)) {
         static_cast<void>(run_file_of(command.scene));
-        if (!command.overrides.empty() || !command.beside.empty())
-            throw UsageError(fmt::format(
-                "{}: a recorded run stays as it was; --set and --beside are for scenes", command.scene));
+        for (const auto& [given, option] :
+             {std::pair(&command.overrides, "--set"), std::pair(&command.beside, "--beside")})
+            if (!given->empty())
+                throw UsageError(fmt::format("{}: a recorded run stays as it was; {} is for scenes",
+                                             command.scene, option));
     }
     std::optional<ScriptPlayer> player;
     if (command.script) player.emplace(read_script(*command.script), *command.script);
