@@ -41,7 +41,8 @@ class GoldenTest : public test::WindowTest {
     /// @param most of what may differ.
     void expect_like(const std::string& name, const std::string& scene, const std::string& script,
                      const std::string& part, const Difference& most) {
-        play(fmt::format("open \"{}/scenes/{}\"\nwait time = 0\nframes 2\n{}do view.mirror\nframes 2\ndo "
+        play(fmt::format("open \"{0}/scenes/{1}\"\nwait file contains {1}\nwait time = 0\nframes 2\n{2}do "
+                         "view.mirror\nframes 2\ndo "
                          "view.mirror\nframes 2\nwidgets\nscreenshot "
                          "now.png\n",
                          PERCUSS_SOURCE_DIR, scene, script),
