@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/joint/make_rows.hpp"
 
 namespace percuss {
 namespace {
@@ -22,7 +21,7 @@ FrictionalContact::FrictionalContact(const Scene& scene, const Mesh& mesh)
     for (const ContactPair& pair : scene.contacts) {
         pairs_.push_back({pair.friction});
         if (pair.friction == 0) continue;
-        const RowBuilder::Size size = make_rows(scene, mesh, pair)->size();
+        const RowBuilder::Size size = size_of(pairs_.size() - 1);
         rows += size.rows;
         terms += size.terms;
     }

@@ -57,6 +57,7 @@ class JointContact : public ContactMethod {
     [[nodiscard]] double deepest_penetration() const;
     [[nodiscard]] std::size_t row_index(std::size_t place) const;  ///< place in the matrix
     [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
+    [[nodiscard]] RowBuilder::Size size_of(std::size_t pair) const { return pairs_[pair].builder->size(); }
 
     ContactRows rows_;                  ///< all that could close in the step, pair by pair
     std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
