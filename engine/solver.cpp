@@ -57,6 +57,7 @@ Solver::Solver(Scene scene, int threads)
     build_chunks();
     contact_ = make_contact_method(s, setup_->mesh, contact_scheme_);
     pairs_.resize(s.contacts.size());
+    for (std::size_t p = 0; p < pairs_.size(); ++p) pairs_[p].self = is_self_contact(s.contacts[p]);
     for (Pair& pair : pairs_) pair.flags.assign(setup_->mesh.nodes.size(), 0);
     if (!loads_.none()) external_.assign(2 * mass_.size(), 0);
     if (!imposed_.prescribed.empty()) {

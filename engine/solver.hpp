@@ -109,6 +109,7 @@ class Solver {
     /// What is counted about a pair.
     struct Pair {
         PairState state;
+        bool self = false;                 // is_self_contact
         std::vector<std::int32_t> active;  // owners of rows with force in the last step
         std::vector<char> flags;           // per owner: 1 had force in the last step, 2 has it in this one
     };
@@ -143,7 +144,8 @@ class Solver {
     void evaluate_critical_step();
     void start_half_step_early();
     void account_external_impulse();
-    /// Of a pair's rows: resultant on the master body, and works of the force in the step around it.
+    /// Of a pair's rows: resultant on the master body (of a body with itself, where action and reaction would
+    /// cancel, the sum of their magnitudes by components), and works of the force in the step around it.
     struct RowSums {
         std::array<double, 2> force{0, 0};
         double work_before = 0, work = 0;
@@ -152,7 +154,7 @@ class Solver {
     struct ContactWorks {
         double contact = 0, friction = 0;
     };
-    [[nodiscard]] RowSums sum_rows(const RowSpan& rows) const;
+    [[nodiscard]] RowSums sum_rows(const RowSpan& rows, bool self) const;
     ContactWorks account_contacts(NodeSums& sums);
     void count_events(std::size_t pair);
     void fill_history_row();

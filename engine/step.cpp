@@ -358,7 +358,7 @@ void Solver::account_external_impulse() {
     statistics_.external_impulse_gross += scale_ * gross;
 }
 
-Solver::RowSums Solver::sum_rows(const RowSpan& rows) const {
+Solver::RowSums Solver::sum_rows(const RowSpan& rows, bool self) const {
     RowSums sums;
     for (const ContactRow& row : rows) {
         if (row.force == 0) continue;
@@ -372,7 +372,10 @@ Solver::RowSums Solver::sum_rows(const RowSpan& rows) const {
         sums.work_before += half_impulse * rate_before;
         sums.work += half_impulse * (rate_before + rate_after);
         for (const RowTerm& term : terms.first(static_cast<std::size_t>(row.master_terms)))
-            for (std::size_t d = 0; d < 2; ++d) sums.force[d] += scale_ * row.force * term.g[d];
+            for (std::size_t d = 0; d < 2; ++d) {
+                const double force = scale_ * row.force * term.g[d];
+                sums.force[d] += self ? std::abs(force) : force;
+            }
         ++sums.active;
     }
     return sums;
@@ -391,7 +394,7 @@ Solver::ContactWorks Solver::account_contacts(NodeSums& sums) {
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
         PairStatistics& statistics = statistics_.pairs[p];
-        const RowSums contact = sum_rows(contact_->rows(p));
+        const RowSums contact = sum_rows(contact_->rows(p), pair.self);
         works_before.contact += contact.work_before;
         ledger.contact += contact.work;
         ledger.pair_work[p] += contact.work;
@@ -399,7 +402,7 @@ Solver::ContactWorks Solver::account_contacts(NodeSums& sums) {
         pair.state.force = contact.force;
         pair.state.active = contact.active;
         if (!ledger.pair_friction_work.empty()) {
-            const RowSums friction = sum_rows(contact_->friction_rows(p));
+            const RowSums friction = sum_rows(contact_->friction_rows(p), pair.self);
             works_before.friction += friction.work_before;
             ledger.friction += friction.work;
             ledger.pair_friction_work[p] += friction.work;

@@ -1,108 +1,106 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
+#include "commands/compare.hpp"
+
+#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "context/context.hpp"
 #include "exit_status.hpp"
-#include "figures/comparison.hpp"
-#include "finished_run.hpp"
-#include "image.hpp"
-#include "output.hpp"
+#include "scene/named_schemes.hpp"
 
 namespace percuss::app {
 namespace {
 
-struct CompareOptions {
-    std::string a, b, out;
-    std::optional<std::string> csv;
-    double least = 0.1;
-    bool force = false;
-};
+bool is_scene(const std::string& name) { return std::filesystem::path(name).extension() == ".toml"; }
 
-/// The last part of a run's path that is a name of its own: out/thin/run.h5 -> thin.
-std::string run_name(const std::string& argument) {
-    std::filesystem::path path = std::filesystem::path(argument).lexically_normal();
-    if (path.filename() == "run.h5") path = path.parent_path();
-    if (path.filename().empty()) path = path.parent_path();
-    return path.filename().empty() ? argument : path.filename().string();
-}
-
-void print_table(const std::vector<Difference>& differences, const std::array<std::string, 2>& names,
-                 double least) {
-    std::size_t width = 8;
-    std::vector<const Difference*> shown;
-    std::map<std::string, double> largest;  // of each unit: rounding noise beside it is no difference
-    for (const Difference& d : differences)
-        largest[d.unit] = std::max({largest[d.unit], std::abs(d.a), std::abs(d.b)});
-    for (const Difference& d : differences)
-        if (100 * std::abs(d.relative()) >= least && std::abs(d.b - d.a) > 1e-9 * largest[d.unit]) {
-            shown.push_back(&d);
-            width = std::max(width, d.path.size());
-        }
-    fmt::print("{:<{}}  {:>8}  {:>12}  {:>12}  {:>9}\n", "quantity", width, "unit", names[0], names[1],
-               "change");
-    for (const Difference* d : shown) {
-        const double change = 100 * d->relative();
-        fmt::print("{:<{}}  {:>8}  {:>12.5g}  {:>12.5g}  {:>9}\n", d->path, width, d->unit, d->a, d->b,
-                   std::isfinite(change) ? fmt::format("{:+.1f} %", change) : "");
-    }
-    fmt::print("{} of {} numbers differ by {} % or more\n", shown.size(), differences.size(), least);
-}
-
-/// What --set changed is no parameter of the scene but may be all that differs.
-void print_settings(const RecordedRun& run, const std::string& name) {
-    for (const std::string& setting : run.setup->scene.overrides) fmt::print("{}: --set {}\n", name, setting);
+void refuse(bool given, const char* option, const char* why) {
+    if (given) throw UsageError(fmt::format("{} {}", option, why));
 }
 
 int compare(const CompareOptions& options) {
-    const std::filesystem::path out = options.out;
-    if (out.extension() != ".png")
-        throw UsageError(fmt::format("--out {}: the name must end in .png", options.out));
-    for (const std::string& file : {options.out, options.csv.value_or("")})
-        if (!options.force && !file.empty() && std::filesystem::exists(file))
-            throw UsageError(
-                fmt::format("{}: the file exists; choose another, or replace it with --force", file));
-    const RecordedRun a = load_recorded_run(run_file_of(options.a)),
-                      b = load_recorded_run(run_file_of(options.b));
-    std::array<std::string, 2> names{run_name(options.a), run_name(options.b)};
-    if (names[0] == names[1]) names = {options.a, options.b};
-    const render::Page page = make_comparison(a, b, names);
-    const std::vector<Difference> differences = compare_runs(a, b);
-    print_settings(a, names[0]);
-    print_settings(b, names[1]);
-    print_table(differences, names, options.least);
-    if (out.has_parent_path()) std::filesystem::create_directories(out.parent_path());
-    const auto context = render::make_offscreen_context();
-    const render::Image image = render::draw_page(*context, page);
-    write_whole(out, [&](const std::filesystem::path& aside) { render::write_png(image, aside); });
-    fmt::print("{}\n", options.out);
-    if (options.csv) {
-        write_text_file(*options.csv, differences_csv(differences));
-        fmt::print("{}\n", *options.csv);
+    if (is_scene(options.a)) {
+        if (!options.b.empty())
+            throw UsageError(fmt::format(
+                "{} is a scene: it is compared by itself, by its --schemes; two runs are compared by the "
+                "directories that 'percuss run --out' made",
+                options.a));
+        refuse(options.least.has_value(), "--least", "is for two runs");
+        return compare_schemes(options);
     }
-    return exit_status::ok;
+    if (options.b.empty())
+        throw UsageError(fmt::format(
+            "{}: name a second run to compare it with, or a scene (SCENE.toml) with --schemes", options.a));
+    if (is_scene(options.b))
+        throw UsageError(fmt::format("{} is a scene, {} a run; compare two runs, or one scene by --schemes",
+                                     options.b, options.a));
+    constexpr const char* of_scene = "is for a scene; two runs are as they are";
+    refuse(!options.schemes.empty(), "--schemes", of_scene);
+    refuse(!options.steps.empty(), "--steps", of_scene);
+    refuse(options.vary.has_value(), "--vary", of_scene);
+    refuse(!options.overrides.empty(), "--set", of_scene);
+    return compare_two_runs(options);
+}
+
+std::string help() {
+    std::string text =
+        "Two runs: meshes, forces, velocities, energies. The table lists parameters and results that differ, "
+        "by "
+        "their paths in\nsummary.json. Peaks are those of the moving average that the scene's [analysis] "
+        "sets.\n\n"
+        "A scene: it is run with each scheme, each step and each value; force and energy of all in one "
+        "figure, "
+        "and a table:\npeak force, its error, final velocities, energy grown and lost, momentum, "
+        "penetration, "
+        "events, steps, time of stepping.\nErrors are against the scene's [[exact]] answer, else against the "
+        "finest step of the same scheme. What is not given\ncomes from the scene's [lesson], else it is "
+        "every "
+        "scheme that the scene can take, at the scene's own step.\nOne that diverges is a row that says so; "
+        "the exit status is then 1.\n\nSchemes:\n";
+    for (const NamedScheme& scheme : named_schemes())
+        text += fmt::format("  {:<20} {}\n", scheme.name, scheme.explanation);
+    return text;
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app, Job& job) {
     auto options = std::make_shared<CompareOptions>();
-    CLI::App& command =
-        *app.add_subcommand("compare", "Two runs on one page: meshes, forces, velocities, energies, numbers");
-    command.footer(
-        "The table lists parameters and results that differ, by their paths in summary.json. Peaks are those "
-        "of the\n"
-        "moving average that the scene's [analysis] sets.");
-    command.add_option("A", options->a, "directory of a run, or its run.h5")->required();
-    command.add_option("B", options->b, "another one")->required();
-    command.add_option("--out", options->out, "the page")->type_name("FILE.png")->required();
-    command.add_option("--csv", options->csv, "all numbers that both runs have")->type_name("FILE.csv");
-    command.add_option("--least", options->least, "smallest difference that is listed, in percent")
+    CLI::App& command = *app.add_subcommand(
+        "compare", "Two runs on one page, or one scene by several contact schemes and steps");
+    command.footer(help());
+    command.add_option("A", options->a, "a scene; or directory of a run, or its run.h5")->required();
+    command.add_option("B", options->b, "another run");
+    command
+        .add_option("--out", options->out,
+                    "the page; of a scene also a directory, for compare.png and compare.csv")
+        ->type_name("FILE.png|DIR")
+        ->required();
+    command.add_option("--csv", options->csv, "all numbers of the table")->type_name("FILE.csv");
+    command
+        .add_option("--least", options->least,
+                    "two runs: smallest difference that is listed, in percent; default 0.1")
         ->type_name("PERCENT")
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--schemes", options->schemes, "a scene: contact schemes, see below")
+        ->type_name("A,B,...")
+        ->delimiter(',')
+        ->expected(1)
+        ->take_all();
+    command.add_option("--steps", options->steps, "a scene: steps as fractions of the critical one")
+        ->type_name("0.1,0.9,...")
+        ->delimiter(',')
+        ->expected(1)
+        ->take_all();
+    command
+        .add_option("--vary", options->vary, "a scene: values of one of its parameters, or of any other key")
+        ->type_name("KEY=1,2,...");
+    command.add_option("--set", options->overrides, "a scene: override a value in all cases")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+    command.add_option("--threads", options->threads, "a scene: threads that step the elements")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256))
         ->capture_default_str();
     command.add_flag("--force", options->force, "replace existing files");
     command.callback([&job, options] { job = [options] { return compare(*options); }; });

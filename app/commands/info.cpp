@@ -76,6 +76,14 @@ void print_step(const Scene& scene, double critical_step, double by_power_iterat
                std::ceil(scene.duration / dt - 1e-9));
 }
 
+/// Its texts as they are wrapped in the file.
+void print_lesson(const Scene& scene) {
+    if (!scene.lesson) return;
+    const Lesson& lesson = *scene.lesson;
+    fmt::print("\nLesson: {}\n\n{}\n\nQuestion: {}\nMove:     {}\nLook for: {}\n\nAnswer:   {}\n",
+               lesson.title, lesson.text, lesson.question, lesson.control, lesson.look_for, lesson.answer);
+}
+
 int info(const SceneOptions& options) {
     const Solver solver(load(options));
     const Scene& scene = solver.setup()->scene;
@@ -94,6 +102,7 @@ int info(const SceneOptions& options) {
     for (const EffectInfo& effect : effects_of(scene)) {
         fmt::print("{:<34} {:<4} {}\n", effect.name, effect.on ? "on" : "off", effect.cost);
     }
+    print_lesson(scene);
     return 0;
 }
 

@@ -11,10 +11,14 @@
 #include "exit_status.hpp"
 #include "finished_run.hpp"
 #include "image.hpp"
+#include "nearest_name.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "recorded_run.hpp"
+#include "scene/named_schemes.hpp"
+#include "scene/parse.hpp"
 #include "ui/screen.hpp"
+#include "workbench/lessons.hpp"
 #include "workbench/script.hpp"
 #include "workbench/workbench.hpp"
 
@@ -27,7 +31,7 @@ constexpr double frame_period = 1.0 / 60;  // [s]
 struct ViewCommand {
     std::string scene;
     std::optional<std::string> size, layout;
-    std::vector<std::string> overrides;
+    std::vector<std::string> overrides, beside;
     std::optional<std::string> script;
     bool headless = false, dark = false;
     double scale = 0;  // percent; 0: as the display says
@@ -55,15 +59,35 @@ WindowLayout remembered(const std::optional<std::filesystem::path>& file) {
     }
 }
 
-void remember(WindowLayout layout, std::array<int, 2> size, const std::filesystem::path& file) {
-    if (size[0] >= 64 && size[1] >= 64) layout.window = size;  // not that of an icon
-    try {
-        if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-        write_text_file(file, layout_text(layout));
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "percuss: the window's layout is not remembered: {}\n", error.what());
+/// Writes the window's layout when it has changed, soon after: a crash then loses little.
+class LayoutKeeper {
+  public:
+    explicit LayoutKeeper(std::filesystem::path file) : file_(std::move(file)) {}
+
+    /// @param at_once when the window closes; else once in some seconds.
+    void remember(WindowLayout layout, std::array<int, 2> size, bool at_once) {
+        const Clock::time_point now = Clock::now();
+        if (given_up_ || (!at_once && now < next_)) return;
+        next_ = now + std::chrono::seconds(2);
+        if (size[0] >= 64 && size[1] >= 64) layout.window = size;  // not that of an icon
+        std::string text = layout_text(layout);
+        if (text == written_) return;
+        try {
+            if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path());
+            write_text_file(file_, text);
+            written_ = std::move(text);
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "percuss: the window's layout is not remembered: {}\n", error.what());
+            given_up_ = true;
+        }
     }
-}
+
+  private:
+    std::filesystem::path file_;
+    std::string written_;
+    Clock::time_point next_;
+    bool given_up_ = false;
+};
 
 std::unique_ptr<render::Screen> make_screen(const ViewCommand& command, const WindowLayout& layout) {
     const auto size =
@@ -97,7 +121,7 @@ void rest(render::Screen& screen, const Workbench& workbench, Clock::time_point 
     const double left = frame_period - std::chrono::duration<double>(Clock::now() - frame_began).count();
     const bool waits = workbench.run.building() || workbench.exports.busy() ||
                        workbench.run.status() == RunStatus::running || workbench.run.playing() ||
-                       workbench.run.reading();
+                       workbench.beside_busy() || workbench.run.reading();
     if (scripted) {
         if (waits && left > 0) screen.rest(left);
     } else if (workbench.at_rest()) {
@@ -107,15 +131,42 @@ void rest(render::Screen& screen, const Workbench& workbench, Clock::time_point 
     }
 }
 
+/// Puts runs beside the one that is opened: "scheme=NAME", or a value as --set.
+void add_beside(Workbench& workbench, const ViewCommand& command) {
+    for (const std::string& wanted : command.beside) {
+        const auto equals = wanted.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw UsageError(fmt::format("--beside {}: write scheme=NAME or KEY=VALUE", wanted));
+        const std::string key = wanted.substr(0, equals), value = wanted.substr(equals + 1);
+        std::vector<std::string> all = command.overrides;
+        if (key != "scheme") {
+            all.push_back(wanted);
+            static_cast<void>(load_scene(command.scene, all));
+            workbench.add_beside(command.scene, all, key.substr(key.rfind('.') + 1) + " " + value);
+            continue;
+        }
+        const NamedScheme* scheme = find_scheme(value);
+        if (scheme == nullptr)
+            throw UsageError(
+                fmt::format("--beside: unknown scheme '{}'{}", value, suggest_name(value, scheme_names())));
+        for (std::string& setting : scheme_overrides(*scheme, load_scene(command.scene, command.overrides)))
+            all.push_back(std::move(setting));
+        static_cast<void>(load_scene(command.scene, all));
+        workbench.add_beside(command.scene, all, value);
+    }
+}
+
 int view(const ViewCommand& command) {
     if (command.headless && !command.script)
         throw UsageError("view --headless draws nothing that anybody sees; give it --script FILE");
     if (std::filesystem::path(command.scene).extension() == ".h5" ||
         std::filesystem::is_directory(command.scene)) {
         static_cast<void>(run_file_of(command.scene));
-        if (!command.overrides.empty())
-            throw UsageError(
-                fmt::format("{}: a recorded run stays as it was; --set is for scenes", command.scene));
+        for (const auto& [given, option] :
+             {std::pair(&command.overrides, "--set"), std::pair(&command.beside, "--beside")})
+            if (!given->empty())
+                throw UsageError(fmt::format("{}: a recorded run stays as it was; {} is for scenes",
+                                             command.scene, option));
     }
     std::optional<ScriptPlayer> player;
     if (command.script) player.emplace(read_script(*command.script), *command.script);
@@ -124,14 +175,20 @@ int view(const ViewCommand& command) {
     const std::unique_ptr<render::Screen> screen = make_screen(command, layout);
     EngineOptions options;
     options.threads = command.threads;
+    options.history_memory = std::size_t{256} << 20;  // a window may stay open for days
     Workbench workbench(*screen, std::move(options), open_recorded_run);
     workbench.use_layout(std::move(layout));
     if (command.dark) screen->set_dark(true);
     if (layout_kept) workbench.thumbnails.keep_in(thumbnail_folder());
-    if (command.scene.empty())
+    if (command.scene == "lessons" && !std::filesystem::exists(command.scene))
+        list_lessons(workbench);
+    else if (command.scene.empty())
         workbench.pick_scene = !player;
     else
         workbench.run.open(command.scene, command.overrides);
+    std::optional<LayoutKeeper> keeper;
+    if (layout_kept) keeper.emplace(*layout_kept);
+    add_beside(workbench, command);
     while (!workbench.quit) {
         const Clock::time_point began = Clock::now();
         const render::ScriptedInput* input = player ? &player->before_frame(workbench) : nullptr;
@@ -145,9 +202,10 @@ int view(const ViewCommand& command) {
             workbench.viewport.drawn && workbench.viewport.drawn == workbench.run.snapshot());
         if (record) workbench.exports.take_frame(workbench, screen->grabbed());
         write_screenshot(workbench, *screen);
+        if (keeper) keeper->remember(workbench.layout, screen->size(), false);
         rest(*screen, workbench, began, player.has_value());
     }
-    if (layout_kept) remember(workbench.layout, screen->size(), *layout_kept);
+    if (keeper) keeper->remember(workbench.layout, screen->size(), true);
     return exit_status::ok;
 }
 
@@ -165,8 +223,15 @@ void add_view(CLI::App& app, Job& job) {
     command.add_option(
         "SCENE", options->scene,
         "scene file, e.g. scenes/nail.toml, or a recorded run: its directory or run.h5; without "
-        "one the window asks for it");
+        "one the window asks for it, with the word lessons for one of the lessons");
     command.add_option("--set", options->overrides, "override a value of the scene; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+    command
+        .add_option("--beside", options->beside,
+                    "another run of the scene beside it, at the same time: scheme=NAME (see 'percuss compare "
+                    "--help') or KEY=VALUE as --set; may be repeated")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "run/fields.hpp"
 
@@ -74,15 +75,22 @@ void Curves::follow(std::shared_ptr<const History> history, std::vector<double> 
         history_ = std::move(history);
         past_ = std::move(past);
         past_rows_ = history_ ? past_.size() / history_->columns().size() : 0;
-        times_ = {};
+        times_ = MinMaxPyramid();
         columns_.clear();
         times_.append(past_column(0));
     }
     if (!history_) return;
     const std::size_t before = times_.size() - past_rows_, now = history_->rows();
     if (now == before) return;
-    times_.append(history_->values(0, before, now));
-    for (auto& [index, column] : columns_) column.append(history_->values(index, before, now));
+    append(0, before, now, times_);
+    for (auto& [index, column] : columns_) append(index, before, now, column);
+}
+
+/// In pieces: a whole column of a long run is larger than what is kept of it.
+void Curves::append(std::size_t index, std::size_t begin, std::size_t end, MinMaxPyramid& to) const {
+    constexpr std::size_t piece = std::size_t{1} << 16;
+    for (; begin < end; begin += piece)
+        to.append(history_->values(index, begin, std::min(begin + piece, end)));
 }
 
 std::vector<double> Curves::past_column(std::size_t index) const {
@@ -96,7 +104,7 @@ const MinMaxPyramid& Curves::column(std::size_t index) {
     const auto [place, fresh] = columns_.try_emplace(index);
     if (fresh && history_) {
         place->second.append(past_column(index));
-        place->second.append(history_->values(index, 0, times_.size() - past_rows_));
+        append(index, 0, times_.size() - past_rows_, place->second);
     }
     return place->second;
 }
@@ -119,7 +127,14 @@ void decimate(const Curves& curves, const MinMaxPyramid& values, double from, do
     const MinMaxPyramid& times = curves.times();
     const std::size_t begin = curves.row_at(from), end = curves.row_at(to);
     const auto add = [&](std::size_t row) {
-        if (std::isfinite(values[row])) points.push_back({times[row], values[row]});
+        if (row < values.thinned()) {  // somewhere between them
+            const MinMax extremes = values.range(row, row + 1);
+            if (extremes.low > extremes.high) return;
+            points.push_back({times[row], extremes.low});
+            points.push_back({times[row], extremes.high});
+        } else if (std::isfinite(values[row])) {
+            points.push_back({times[row], values[row]});
+        }
     };
     if (begin > 0) add(begin - 1);
     if (end - begin <= 2 * static_cast<std::size_t>(std::max(parts, 1))) {
@@ -143,6 +158,42 @@ void decimate(const Curves& curves, const MinMaxPyramid& values, double from, do
         }
     }
     if (end < curves.rows()) add(end);
+}
+
+void straighten(std::vector<std::array<float, 2>>& line, float tolerance) {
+    if (line.size() < 3) return;
+    constexpr float any = std::numeric_limits<float>::infinity();
+    std::size_t kept = 0;                 // what stays is moved to the front: line[kept] is the last of it
+    std::array<float, 2> last = line[0];  // the newest point that may still be dropped
+    bool pending = false;
+    float least = -any, greatest = any;  // slopes from line[kept] that pass all points since near enough
+    const auto keep = [&](const std::array<float, 2>& point) {
+        line[++kept] = point;
+        pending = false;
+        least = -any, greatest = any;
+    };
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const std::array<float, 2> point = line[i];
+        // Twice at most: when the point before must stay, the strip begins anew from there.
+        for (;;) {
+            const float along = point[0] - line[kept][0], up = point[1] - line[kept][1];
+            const bool passes =
+                along > 0 ? up >= least * along && up <= greatest * along : std::abs(up) <= tolerance;
+            if (passes && along > 0) {
+                least = std::max(least, (up - tolerance) / along);
+                greatest = std::min(greatest, (up + tolerance) / along);
+            }
+            if (passes || !pending) {
+                if (!passes) keep(point);
+                last = point;
+                pending = passes;
+                break;
+            }
+            keep(last);
+        }
+    }
+    if (pending) line[++kept] = last;
+    line.resize(kept + 1);
 }
 
 double rate_at(const Curves& curves, const MinMaxPyramid& counts, double time, double window) {

@@ -38,7 +38,8 @@ struct PlotInfo {
 /// those of probes, one a quantity.
 [[nodiscard]] std::vector<PlotInfo> plots_of(const Scene& scene, const std::vector<HistoryColumn>& columns);
 
-/// Histories as plots read them, full rate; only new rows are copied, of the columns that are looked at.
+/// Histories as plots read them, full rate; only new rows are copied, of the columns that are looked at. Of
+/// old rows beyond some hundred thousand only the extremes of groups stay (MinMaxPyramid).
 class Curves {
   public:
     /// Takes what was appended since the last call; another history begins anew.
@@ -53,6 +54,7 @@ class Curves {
 
   private:
     [[nodiscard]] std::vector<double> past_column(std::size_t index) const;
+    void append(std::size_t column, std::size_t begin, std::size_t end, MinMaxPyramid& to) const;
 
     std::shared_ptr<const History> history_;
     std::vector<double> past_;
@@ -69,6 +71,10 @@ struct CurvePoint {
 /// beyond either end is kept, so that lines reach the edges.
 void decimate(const Curves& curves, const MinMaxPyramid& values, double from, double to, int parts,
               std::vector<CurvePoint>& points);
+
+/// Drops the points of a line, of ascending x, that it passes within `tolerance` in y without them (Reumann &
+/// Witkam's strip with the ends held). A jump up and down at one x stays unless it is no higher than that.
+void straighten(std::vector<std::array<float, 2>>& line, float tolerance);
 
 /// How many events come in a unit of time: the mean over `window` about `time`, cut at the ends of the curve
 /// [1/time]. @param counts of all events so far, by row; the run begins with none.

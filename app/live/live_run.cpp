@@ -80,6 +80,19 @@ void LiveRun::set(const std::string& key, const std::string& value) {
     request(std::move(wanted));
 }
 
+void LiveRun::set_all(const std::vector<std::string>& settings) {
+    if (recording_ && !building_) {
+        messages_ = {"a recorded run stays as it was; open its scene to change it"};
+        return;
+    }
+    Request wanted = present(false);
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        wanted.settings[setting.substr(0, equals)] = setting.substr(equals + 1);
+    }
+    request(std::move(wanted));
+}
+
 void LiveRun::forget(const std::string& key) {
     Request wanted = present(false);
     wanted.settings.erase(key);
@@ -138,6 +151,7 @@ LiveRun::Built LiveRun::build(const Request& wanted, const Scene* present) const
         if (!present || effect_of_change(*present, scene) == ChangeEffect::rebuild)
             built.engine = std::make_unique<Engine>(scene, options_);
         built.design = design_values(scene);
+        if (!scene.contacts.empty()) built.schemes = scheme_choices(scene);
         built.scene = std::make_shared<const Scene>(std::move(scene));
     } catch (const SceneError& error) {
         built.messages = error.messages();
@@ -160,6 +174,7 @@ void LiveRun::take_over(Built built) {
     settings_ = being_built_.settings;
     scene_ = std::move(built.scene);
     design_ = std::move(built.design);
+    schemes_ = std::move(built.schemes);
     if (!built.engine && !built.recording) {  // the present run goes on with the scene
         engine_->post(command::Change{scene_});
         return;

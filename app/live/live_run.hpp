@@ -15,6 +15,7 @@
 #include "live/recording.hpp"
 #include "run/design_values.hpp"
 #include "run/engine.hpp"
+#include "scene/named_schemes.hpp"
 
 namespace percuss::app {
 
@@ -42,6 +43,8 @@ class LiveRun {
     /// go on with it from its next step on (effect_of_change), it does; anything else builds a new run, which
     /// starts when the old one had. Calls during a build wait for it, the last one for each key counts.
     void set(const std::string& key, const std::string& value);
+    /// Several at once, "key=value": the scene is read when all are set.
+    void set_all(const std::vector<std::string>& settings);
     void forget(const std::string& key);  ///< its value is that of the file again
     void forget_settings();               ///< all values as they are in the file
     /// What the run shown has been given beside its file, "key=value" in the order in which it acts.
@@ -133,6 +136,8 @@ class LiveRun {
     [[nodiscard]] std::chrono::steady_clock::time_point built_for() const { return built_for_; }
     /// What can be varied in the scene, with the values that are set; empty before there is one.
     [[nodiscard]] const std::vector<DesignValue>& design() const { return design_; }
+    /// Which named contact schemes the scene can take, and which it has; empty before there is one.
+    [[nodiscard]] const std::vector<SchemeChoice>& schemes() const { return schemes_; }
     [[nodiscard]] const DesignValue* design_value(const std::string& key) const;
 
   private:
@@ -149,6 +154,7 @@ class LiveRun {
         std::unique_ptr<Engine> engine;  // null: the present one can go on with the scene
         std::shared_ptr<Recording> recording;
         std::vector<DesignValue> design;
+        std::vector<SchemeChoice> schemes;
         std::vector<std::string> messages, warnings;
     };
 
@@ -177,6 +183,7 @@ class LiveRun {
     std::shared_ptr<Recording> recording_;  // or this, or none yet
     std::shared_ptr<const Scene> scene_;    // of the engine, newer than what its thread has taken up
     std::vector<DesignValue> design_;
+    std::vector<SchemeChoice> schemes_;
     std::filesystem::path file_;
     std::vector<std::string> overrides_;           // of the command line
     std::map<std::string, std::string> settings_;  // made in the window

@@ -22,6 +22,12 @@ void Reference::follow(double shown) {
 }
 
 std::optional<std::size_t> Reference::column(const std::string& name) const {
+    return column_named(history, name);
+}
+
+std::optional<std::size_t> column_named(const std::shared_ptr<const History>& history,
+                                        const std::string& name) {
+    if (!history) return std::nullopt;
     const auto& columns = history->columns();
     const auto found =
         std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });

@@ -27,6 +27,10 @@ struct Reference {
     [[nodiscard]] std::optional<std::size_t> column(const std::string& name) const;
 };
 
+/// Index of a history's column; nothing when it has none of that name or is null.
+[[nodiscard]] std::optional<std::size_t> column_named(const std::shared_ptr<const History>& history,
+                                                      const std::string& name);
+
 /// What a curve came to in both runs.
 struct PeakDifference {
     std::string label;

@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include "ui/input.hpp"
+#include "workbench/lessons.hpp"
 #include "workbench/viewport_actions.hpp"
 #include "workbench/workbench.hpp"
 
@@ -168,6 +169,28 @@ const std::vector<WorkbenchCommand>& workbench_commands() {
          "Writes the scene with the values set here, comments and layout kept, to the file named in the "
          "export panel.",
          [](Workbench& w) { w.exports.save_scene(w); }},
+        {"compare.add", "Beside", "",
+         "Puts this design beside the one that goes on being changed: a run of its own at the same time, "
+         "with its "
+         "picture and its curves.",
+         [](Workbench& w) {
+             if (w.run.recorded() || !w.run.snapshot())
+                 w.tell("runs of a scene stand beside each other; this is none");
+             else
+                 w.add_beside(w.run.file(), w.run.overrides(), label_of(w.run));
+         }},
+        {"compare.clear", "None beside", "", "Takes away the runs beside this one.",
+         [](Workbench& w) { w.beside.clear(); }},
+        {"lesson.list", "Lessons", "",
+         "Chooses one of the lessons: scenes with a question and a control to move.",
+         [](Workbench& w) { list_lessons(w); }},
+        {"lesson.next", "Next lesson", "", "Opens the lesson after this one; without one the first.",
+         [](Workbench& w) { open_lesson(w, 1); }},
+        {"lesson.previous", "Previous", "", "Opens the lesson before this one.",
+         [](Workbench& w) { open_lesson(w, -1); }},
+        {"lesson.answer", "Answer", "", "Shows the answer to the lesson's question, or hides it.",
+         [](Workbench& w) { w.lesson.answered = !w.lesson.answered; },
+         [](const Workbench& w) { return w.lesson.answered; }},
         {"reference.toggle", "Keep as reference", "B",
          "Keeps this run to compare the next ones with: outline and curves beneath theirs, peaks in a table; "
          "again: drops it.",

@@ -37,6 +37,7 @@ constexpr std::array verbs{
     Verb{"type", 1, 1, "type TEXT", "into the field that was clicked"},
     Verb{"set", 2, 2, "set KEY VALUE", "a value of the scene, as --set"},
     Verb{"until", 1, 1, "until TIME", "the time of the command run.until, in scene units"},
+    Verb{"resize", 2, 2, "resize W H", "the window [pixels]; a display may not grant it"},
     Verb{"frames", 1, 1, "frames N", "draws N frames"},
     Verb{"wait", 3, 3, "wait NAME OP VALUE", "until it holds; OP: = != < > <= >= contains"},
     Verb{"expect", 3, 3, "expect NAME OP VALUE", "fails when it does not hold"},
@@ -107,6 +108,11 @@ std::string fault_of(const ScriptEvent& event) {
             return fmt::format("write: {}", verb->usage);
         if (event.verb == "wheel" && count == 3) return fmt::format("write: {}", verb->usage);
     }
+    if (event.verb == "resize")
+        for (const std::string& side : arguments)
+            if (const auto pixels = number(side);
+                !pixels || *pixels < 1 || *pixels > 16384 || *pixels != std::floor(*pixels))
+                return fmt::format("'{}' is no number of pixels from 1 to 16384", side);
     if ((event.verb == "frames" || event.verb == "timeout" || event.verb == "until") && !number(arguments[0]))
         return fmt::format("'{}' is no number", arguments[0]);
     if (event.verb == "wait" || event.verb == "expect") {
@@ -298,6 +304,9 @@ bool ScriptPlayer::advance(const ScriptEvent& event, Workbench& workbench) {
         if (verb == "open") workbench.open(arguments[0]);
         if (verb == "do") workbench.do_command(arguments[0]);
         if (verb == "set") workbench.run.set(arguments[0], arguments[1]);
+        if (verb == "resize")
+            workbench.screen.resize(
+                {static_cast<int>(*number(arguments[0])), static_cast<int>(*number(arguments[1]))});
         if (verb == "until") workbench.until = *number(arguments[0]);
         if (verb == "type") input_.text = arguments[0];
     }

@@ -13,6 +13,11 @@ std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo&
     return w.reference->column(w.plots.columns[curve.column].name);
 }
 
+std::optional<std::size_t> beside_column(const Workbench& w, const BesideRun& run, const CurveInfo& curve) {
+    if (curve.own) return std::nullopt;
+    return run.column(w.plots.columns[curve.column].name);
+}
+
 std::array<double, 2> shown_times(const Workbench& w) {
     if (w.plots.time) return *w.plots.time;
     const Curves& curves = w.plots.curves;
@@ -20,6 +25,9 @@ std::array<double, 2> shown_times(const Workbench& w) {
     double last = curves.rows() > 0 ? curves.times()[curves.rows() - 1] : 0;
     if (w.reference && w.reference->curves.rows() > 0)
         last = std::max(last, w.reference->curves.times()[w.reference->curves.rows() - 1]);
+    for (const BesideView& each : w.beside)
+        if (const Curves& curves_beside = each.run->curves(); curves_beside.rows() > 0)
+            last = std::max(last, curves_beside.times()[curves_beside.rows() - 1]);
     return {0, std::max(last, 0.02 * duration)};
 }
 

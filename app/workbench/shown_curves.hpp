@@ -12,6 +12,9 @@ namespace percuss::app {
 [[nodiscard]] bool shown(const PlotsState& state, const PlotInfo& plot, const CurveInfo& curve);
 /// The reference's column for a curve, unless the reference is the present run itself.
 [[nodiscard]] std::optional<std::size_t> reference_column(const Workbench& w, const CurveInfo& curve);
+/// The column for a curve of a run beside the present one.
+[[nodiscard]] std::optional<std::size_t> beside_column(const Workbench& w, const BesideRun& run,
+                                                       const CurveInfo& curve);
 /// From, to: as zoomed, else all that the runs have [time].
 [[nodiscard]] std::array<double, 2> shown_times(const Workbench& w);
 /// Events are counted over at least this long: one of the units that times are shown in [time].

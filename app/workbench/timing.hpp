@@ -25,6 +25,8 @@ class Timing {
     [[nodiscard]] double frames_per_second() const;
     /// What they took without that, mean [s].
     [[nodiscard]] double frame_seconds() const;
+    /// From the start of the program to the first picture of a model [s]; absent before.
+    [[nodiscard]] std::optional<double> first_picture() const { return first_picture_; }
     /// From asking for a scene or a value to the first picture of the run that it took [s]; absent before.
     [[nodiscard]] std::optional<double> rebuild_seconds() const { return rebuild_; }
     /// Of the present run while it ran [steps/s of wall time]; 0 before.
@@ -36,7 +38,7 @@ class Timing {
     };
     std::deque<Frame> frames_;
     int builds_ = 0;
-    std::optional<double> rebuild_;
+    std::optional<double> rebuild_, first_picture_;
     std::shared_ptr<const History> history_;  // of the run whose speed is measured
     std::optional<Clock::time_point> ran_at_;
     std::int64_t step_ = 0, steps_ = 0;

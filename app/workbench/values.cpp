@@ -31,9 +31,28 @@ constexpr NamedValue always[] = {
     {"panels", [](const Workbench& w) -> Value { return flag(w.panels); }},
     {"help", [](const Workbench& w) -> Value { return flag(w.help); }},
     {"frames", [](const Workbench& w) -> Value { return static_cast<double>(w.frames); }},
+    {"width", [](const Workbench& w) -> Value { return static_cast<double>(w.screen.size()[0]); }},
+    {"height", [](const Workbench& w) -> Value { return static_cast<double>(w.screen.size()[1]); }},
     {"fps", [](const Workbench& w) -> Value { return w.timing.frames_per_second(); }},
     {"frame.seconds", [](const Workbench& w) -> Value { return w.timing.frame_seconds(); }},
     {"engine.speed", [](const Workbench& w) -> Value { return w.timing.steps_per_second(); }},
+    {"scheme",
+     [](const Workbench& w) -> Value {
+         for (const SchemeChoice& choice : w.run.schemes())
+             if (choice.present) return choice.name;
+         return std::string("another");
+     }},
+    {"lesson.answered", [](const Workbench& w) -> Value { return flag(w.lesson.answered); }},
+    {"beside", [](const Workbench& w) -> Value { return static_cast<double>(w.beside.size()); }},
+    {"beside.label",
+     [](const Workbench& w) -> Value { return w.beside.empty() ? std::string() : w.beside[0].run->label(); }},
+    {"beside.busy", [](const Workbench& w) -> Value { return flag(w.beside_busy()); }},
+    {"beside.faults",
+     [](const Workbench& w) -> Value {
+         std::string text;
+         for (const BesideView& each : w.beside) text += joined(each.run->run().messages());
+         return text;
+     }},
     {"reference", [](const Workbench& w) -> Value { return flag(w.reference.has_value()); }},
     {"recorded", [](const Workbench& w) -> Value { return flag(w.run.recorded()); }},
     {"live", [](const Workbench& w) -> Value { return flag(w.run.live()); }},
@@ -138,12 +157,18 @@ std::optional<Value> Workbench::value(const std::string& name) const {
     if (viewport.view && viewport.drawn)
         if (const auto value = find(of_view, name, *this)) return value;
     if (name == "ghost.time" && ghost.moment) return ghost.moment->time;
+    if (name == "beside.time" && !beside.empty() && beside[0].run->moment())
+        return beside[0].run->moment()->time;
+    if (name == "beside.newest" && !beside.empty() && beside[0].run->run().newest())
+        return beside[0].run->run().newest()->time;
+    if (name == "beside.rows" && !beside.empty()) return static_cast<double>(beside[0].run->curves().rows());
     if (name == "reference.time" && reference && reference->moment) return reference->moment->time;
     const auto drops = run.branch_drops();
     if (name == "branch.from" && drops) return (*drops)[0];
     if (name == "branch.to" && drops) return (*drops)[1];
     if (name == "plots.from" && plots.time) return (*plots.time)[0];
     if (name == "plots.to" && plots.time) return (*plots.time)[1];
+    if (name == "first.picture.seconds" && timing.first_picture()) return *timing.first_picture();
     if (name == "rebuild.seconds" && timing.rebuild_seconds()) return *timing.rebuild_seconds();
     const DesignValue* varied = run.design_value(name);
     if (varied == nullptr) return std::nullopt;
@@ -155,9 +180,9 @@ std::vector<std::string> Workbench::value_names() {
     for (const NamedValue& value : always) names.emplace_back(value.name);
     for (const NamedValue& value : of_scene) names.emplace_back(value.name);
     for (const NamedValue& value : of_view) names.emplace_back(value.name);
-    names.insert(names.end(),
-                 {"ghost.time", "reference.time", "branch.from", "branch.to", "plots.from", "plots.to",
-                  "rebuild.seconds", "parameters.NAME", "KEY of a value in the design panel"});
+    names.insert(names.end(), {"ghost.time", "beside.time", "beside.newest", "beside.rows", "reference.time",
+                               "branch.from", "branch.to", "plots.from", "plots.to", "first.picture.seconds",
+                               "rebuild.seconds", "parameters.NAME", "KEY of a value in the design panel"});
     return names;
 }
 

@@ -52,7 +52,7 @@ void write_outlines(const Workbench& w, const render::LiveView& view,
                     const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas) {
     const Units& units = shown->setup->scene.units;
     const double left = view.model().x + 12 * scale;
-    double y = view.model().top() - 18 * scale;
+    double y = view.model().top() - (w.beside.empty() ? 18 : 42) * scale;  // under the label
     const auto line = [&](const std::string& words, render::Colour colour) {
         canvas.line(left, y, left + 21 * scale, y, colour, 2 * scale);
         canvas.text(
@@ -73,6 +73,8 @@ void write_outlines(const Workbench& w, const render::LiveView& view,
              ghost_colour);
 }
 
+}  // namespace
+
 void write_time(const render::LiveView& view, const Snapshot& shown, double scale, render::Canvas& canvas) {
     const Scene& scene = shown.setup->scene;
     const DisplayUnit unit = scene.units.display(Quantity::time, scene.duration);
@@ -85,7 +87,12 @@ void write_time(const render::LiveView& view, const Snapshot& shown, double scal
                 {15 * scale, render::ink::text, render::Align::right, render::VerticalAlign::top, true});
 }
 
-}  // namespace
+void write_label(const render::LiveView& view, const std::string& label, double scale,
+                 render::Canvas& canvas) {
+    const double pad = 10.5 * scale;
+    canvas.text(view.model().x + pad, view.model().top() - pad, label,
+                {15 * scale, render::ink::text, render::Align::left, render::VerticalAlign::top, true});
+}
 
 void paint_beneath(const Workbench& w, const render::LiveView& view,
                    const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas) {
@@ -101,6 +108,7 @@ void paint_above(const Workbench& w, const render::LiveView& view,
                  const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas) {
     paint_marks(w, view, *shown, scale, canvas);
     write_time(view, *shown, scale, canvas);
+    if (!w.beside.empty()) write_label(view, label_of(w.run), scale, canvas);
     write_outlines(w, view, shown, scale, canvas);
 }
 

@@ -42,6 +42,7 @@ void update_run(Workbench& w) {
     w.run.update();
     if (!w.run.snapshot()) return;
     if (w.run.builds() != builds) {
+        if (!file.empty() && w.run.file() != file) w.beside.clear();
         // The reference's outline shows it already.
         const bool is_reference = w.reference && w.reference->history == history;
         if (w.run.file() != file || w.run.recorded())
@@ -51,6 +52,7 @@ void update_run(Workbench& w) {
     }
     w.ghost.follow(w.run.newest()->time, w.run.status() == RunStatus::finished);
     if (w.reference) w.reference->follow(w.run.snapshot()->time);
+    for (BesideView& each : w.beside) each.run->follow(w.run.newest()->time, w.run.snapshot()->time);
 }
 
 /// Which sections of the panel on the left are open; only those are known that were ever clicked.
@@ -96,11 +98,15 @@ void Workbench::frame() {
         show_menu(*this);
         show_run_bar(*this, {0, menu, display.x, bar});
         const float top = menu + bar, height = std::max(display.y - top, 1.0F);
-        const float left = panel_width(layout.left, std::min(21 * em, 0.3F * display.x));
+        const float left =
+            panel_width(layout.left, std::min((has_lesson(*this) ? 26 : 21) * em, 0.3F * display.x));
         const float right = panel_width(layout.right, std::min(0.31F * display.x, 40 * em));
         const float grip = std::round(0.4F * em);
+        // A lesson is read in the upper part of the panel on the left.
+        const float read = has_lesson(*this) ? std::round((lesson.answered ? 0.85F : 0.62F) * height) : 0;
+        if (read > 0) show_lesson(*this, {0, top, left, read});
         {
-            const Panel panel("settings", {0, top, left, height});
+            const Panel panel("settings", {0, top + read, left, height - read});
             follow_sections(*this);
             show_view_settings(*this);
             show_probes(*this);
@@ -127,10 +133,23 @@ void Workbench::frame() {
     ++frames;
 }
 
+void Workbench::add_beside(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                           const std::string& label) {
+    constexpr std::size_t most = 5;  // more would be stripes
+    if (beside.size() == most)
+        tell("no more than five runs fit beside this one");
+    else
+        beside.push_back({std::make_unique<BesideRun>(file, overrides, label, threads_)});
+}
+
 bool Workbench::at_rest() const {
-    return run.status() != RunStatus::running && !run.playing() && !run.reading() && !run.building() &&
-           !exports.busy() && !(pick_scene && thumbnails.busy()) && !viewport.dirty && !marks.clicked &&
-           !run.branch_asked() && viewport.drawn == run.snapshot();
+    return !beside_busy() && run.status() != RunStatus::running && !run.playing() && !run.reading() &&
+           !run.building() && !exports.busy() && !(pick_scene && thumbnails.busy()) && !viewport.dirty &&
+           !marks.clicked && !run.branch_asked() && viewport.drawn == run.snapshot();
+}
+
+bool Workbench::beside_busy() const {
+    return std::any_of(beside.begin(), beside.end(), [](const auto& b) { return b.run->busy(); });
 }
 
 void Workbench::tell(std::string words) {

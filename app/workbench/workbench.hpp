@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "live/beside.hpp"
 #include "live/curves.hpp"
 #include "live/ghost.hpp"
 #include "live/live_run.hpp"
@@ -19,6 +20,7 @@
 #include "workbench/design_panel.hpp"
 #include "workbench/export/exports.hpp"
 #include "workbench/layout.hpp"
+#include "workbench/lessons.hpp"
 #include "workbench/thumbnails/thumbnails.hpp"
 #include "workbench/timeline_state.hpp"
 #include "workbench/timing.hpp"
@@ -52,6 +54,16 @@ struct ViewportState {
     render::Picked hovered;
 };
 
+/// A run beside the one that is shown, and its picture.
+struct BesideView {
+    std::unique_ptr<BesideRun> run;
+    std::unique_ptr<render::LiveView> view{};
+    std::shared_ptr<const RunSetup> setup{};  // what `view` draws
+    std::shared_ptr<const Snapshot> drawn{};
+    long long draws = -1;  // of the picture beside, when this one was drawn
+    unsigned texture = 0;
+};
+
 struct PlotsState {
     Curves curves;
     std::vector<PlotInfo> plots;
@@ -69,12 +81,14 @@ class Workbench {
   public:
     /// @param open_run reads recorded runs
     Workbench(render::Screen& screen_in, EngineOptions options, OpenRun open_run = {})
-        : run(std::move(options), std::move(open_run)), screen(screen_in) {}
+        : run(options, std::move(open_run)), screen(screen_in), threads_(options.threads) {}
 
     /// One frame of all panels, between Screen::begin_frame and Screen::end_frame.
     void frame();
     /// Whether the next frame would look like the last one if the user did nothing.
     [[nodiscard]] bool at_rest() const;
+    /// Whether a run beside is on its way to the time of the one that is shown.
+    [[nodiscard]] bool beside_busy() const;
 
     /// A number or text of the workbench by name, for scripts: "time", "status", "parameters.shank", ...
     using Value = std::variant<double, std::string>;
@@ -82,6 +96,9 @@ class Workbench {
     [[nodiscard]] static std::vector<std::string> value_names();
 
     void open(const std::filesystem::path& file) { run.open(file); }
+    /// Another run of the scene, beside the one that is shown. @param overrides all that it is given.
+    void add_beside(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                    const std::string& label);
     /// Arranges the window like this, before its first frame.
     void use_layout(WindowLayout wanted);
     void do_command(const std::string& name);
@@ -98,12 +115,15 @@ class Workbench {
     WindowLayout layout;
     Thumbnails thumbnails;               ///< of the scene picker
     std::optional<Reference> reference;  ///< the run that the present one is compared with
+    std::vector<BesideView> beside;      ///< runs that share its clock
     Ghost ghost;                         ///< of the run before the design was changed
     TimelineState timeline;
     DesignPanel design;
+    LessonState lesson;
     Timing timing;  ///< fed by whoever shows the frames
     WidgetNames names;
     bool panels = true, help = false, pick_scene = false;
+    std::string pick_typed;  ///< what the scene picker begins with
     bool reload_by_itself = true;
     int step_count = 100;
     double until = 0;  ///< of "run until" [time]
@@ -113,6 +133,7 @@ class Workbench {
     long long frames = 0;
 
   private:
+    int threads_;
     std::string note_;
     std::chrono::steady_clock::time_point note_until_;
 };

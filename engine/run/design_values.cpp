@@ -263,8 +263,10 @@ void add_bodies(Collector& list, const Scene& scene) {
 
 void add_contacts(Collector& list, const Scene& scene) {
     if (scene.contact_solver.scheme == ContactScheme::projection) return;  // it knows no friction
+    std::set<std::string> tables;
     for (std::size_t p = 0; p < scene.contacts.size(); ++p) {
-        const std::string& name = scene.contacts[p].name;
+        const std::string& name = scene.contacts[p].table;
+        if (!tables.insert(name).second) continue;
         list.begin("contact " + name);
         list.add("contact." + name + ".friction", "friction", Quantity::dimensionless, {{0.0, 1.0}}, 0,
                  "Coulomb's coefficient; from 0 or to 0 the run begins anew.",

@@ -82,6 +82,9 @@ struct EngineOptions {
     std::size_t state_memory = std::size_t{512} << 20;
     /// Bound of the snapshots kept for frame_at, likewise [bytes].
     std::size_t frame_memory = std::size_t{256} << 20;
+    /// Of the histories, those of probes that are set on the way beside them, each a sixteenth of it [bytes]:
+    /// older rows are thinned then (History). 0 keeps every row as it is, as a recorder needs it.
+    std::size_t history_memory = 0;
     /// Simulated time between those snapshots while they are few; absent: duration / 500 [time].
     std::optional<double> frame_memory_interval;
 };

@@ -20,7 +20,7 @@ Engine::Impl::Impl(Scene scene_in, EngineOptions options_in)
 }
 
 std::unique_ptr<TravellingRun> Engine::Impl::make_run(const Scene& of) const {
-    return std::make_unique<TravellingRun>(of, options.threads, options.state_memory);
+    return std::make_unique<TravellingRun>(of, options.threads, options.state_memory, options.history_memory);
 }
 
 void Engine::Impl::begin_run() {

@@ -29,7 +29,7 @@ void ProbeRecorder::add(const RunSetup& setup, const Probe& probe) {
         columns.push_back({"probe." + probe.name + "." + reading.field.name, reading.field.quantity});
     entry.row.resize(columns.size());
     entry.before.resize(entry.readings.size());
-    entry.rows = std::make_shared<History>(std::move(columns));
+    entry.rows = std::make_shared<History>(std::move(columns), history_memory_);
     entries_.push_back(std::move(entry));
 }
 

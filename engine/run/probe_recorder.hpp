@@ -23,6 +23,8 @@ struct SetProbe {
 /// Reads the probes that were set while a run goes on; each has rows of its own, from the step that follows.
 class ProbeRecorder {
   public:
+    /// @param history_memory of the rows of each probe [bytes]; 0: no bound.
+    explicit ProbeRecorder(std::size_t history_memory = 0) : history_memory_(history_memory) {}
     /// @throws std::invalid_argument when the scene lacks its body or a quantity, or its name is taken.
     void add(const RunSetup& setup, const Probe& probe);
     void remove(std::string_view name);  ///< nothing happens when there is none
@@ -44,6 +46,7 @@ class ProbeRecorder {
         std::vector<Node> before;  // of the nodes, when the step began
         std::shared_ptr<History> rows;
     };
+    std::size_t history_memory_;
     std::vector<Entry> entries_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace percuss {
 
-RunRecord::RunRecord(const RunSetup& setup)
-    : history_(std::make_shared<History>(history_columns(setup.scene))), traces_(setup) {}
+RunRecord::RunRecord(const RunSetup& setup, std::size_t history_memory)
+    : history_(std::make_shared<History>(history_columns(setup.scene), history_memory)), traces_(setup) {}
 
 void RunRecord::before_step(const Solver& solver) {
     if (traces_.none()) return;

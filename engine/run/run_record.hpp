@@ -15,7 +15,8 @@ class Solver;
 class RunRecord {
   public:
     /// @throws SceneError when the line of a figure does not cross its body.
-    explicit RunRecord(const RunSetup& setup);
+    /// @param history_memory of the histories [bytes]; 0: no bound.
+    explicit RunRecord(const RunSetup& setup, std::size_t history_memory = 0);
 
     void before_step(const Solver& solver);
     /// @param time at which the step began [time]. @param sound false: the step diverged; its row is kept if

@@ -13,9 +13,11 @@ constexpr std::int64_t steps_between_safe_states = 256;
 
 }  // namespace
 
-TravellingRun::TravellingRun(const Scene& scene, int threads, std::size_t state_memory)
+TravellingRun::TravellingRun(const Scene& scene, int threads, std::size_t state_memory,
+                             std::size_t history_memory)
     : solver_(std::make_unique<Solver>(scene, threads)),
-      record_(*solver_->setup()),
+      record_(*solver_->setup(), history_memory),
+      probes_(history_memory / 16),
       wanted_(solver_->in_force()) {
     if (state_memory > 0) states_ = std::make_shared<StateHistory>(state_memory, steps_between_states);
 }

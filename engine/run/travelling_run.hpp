@@ -22,8 +22,8 @@ namespace percuss {
 class TravellingRun {
   public:
     /// @param state_memory bound of the kept states [bytes]; 0 keeps none: the run cannot be set back, and
-    /// that costs nothing. @throws SceneError.
-    TravellingRun(const Scene& scene, int threads, std::size_t state_memory);
+    /// that costs nothing. @param history_memory of the histories [bytes]; 0: no bound. @throws SceneError.
+    TravellingRun(const Scene& scene, int threads, std::size_t state_memory, std::size_t history_memory = 0);
 
     [[nodiscard]] const Solver& solver() const { return *solver_; }
     /// Of the whole run, whatever moment it is set back to.

@@ -77,6 +77,8 @@ class Override {
         set_in_table(root, path, "the scene");
         if (joined(path) == "model.step.fixed") forget(root, "courant");
         if (joined(path) == "model.step.courant") forget(root, "fixed");
+        if (joined(path) == "contact_solver.scheme" && value_.find("projection") != std::string_view::npos)
+            forget_rows(root);
     }
 
   private:
@@ -103,6 +105,13 @@ class Override {
 
     static void forget(toml::table& root, std::string_view key) {
         if (auto* step = root.at_path("model.step").as_table()) step->erase(key);
+    }
+
+    /// The projection has rows of its own: those of the joint problem would be a fault.
+    static void forget_rows(toml::table& root) {
+        if (auto* pairs = root["contact"].as_array())
+            for (toml::node& pair : *pairs)
+                if (auto* table = pair.as_table()) table->erase("scheme");
     }
 
     void set_in_table(toml::table& table, Path path, const std::string& title) {

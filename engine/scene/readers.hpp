@@ -19,6 +19,7 @@ void read_figures(TableReader& root, Scene& scene);    ///< [[figure]]
 void read_view(TableReader& root, Scene& scene);       ///< [view]
 void read_analysis(TableReader& root, Scene& scene);   ///< [analysis]
 void read_promises(TableReader& root, Scene& scene);   ///< [[exact]], [expect]
+void read_lesson(TableReader& root, Scene& scene);     ///< [lesson]
 
 // Part of [[material]].
 /// @pre name and elastic constants of `material` are read.
@@ -31,7 +32,7 @@ void read_blocks(TableReader& body, Geometry geometry, Body& result, double& cel
 void read_shape(TableReader& reader, Geometry geometry, Block& block);
 /// Cells along the sides, `divisions` and `grading`; needs the shape.
 void read_cells(TableReader& reader, Block& block);
-void read_chains(TableReader& body, Body& result);                       ///< chains; needs the blocks
+void read_chains(TableReader& body, Body& result);                        ///< chains; needs the blocks
 void read_boundary(TableReader& body, const Scene& scene, Body& result);  ///< constraint, prescribed, load
 
 /// Warns when the wave speed of a material is absurd in the declared units, and names the likely slip.

@@ -12,6 +12,7 @@
 #include "mesh/mesh.hpp"
 #include "scene/figure_spec.hpp"
 #include "scene/formula.hpp"
+#include "scene/lesson.hpp"
 #include "scene/place.hpp"
 #include "units.hpp"
 
@@ -234,6 +235,7 @@ struct ContactLayer {
 
 struct ContactPair {
     std::string name;
+    std::string table;  ///< name of the [[contact]] it is of; those of `bodies = "all"` share one
     SurfaceName master, slave;
     bool by_bodies =
         false;  ///< two bodies without roles: `master` is only the one that forces are counted on
@@ -245,6 +247,11 @@ struct ContactPair {
     Place place;
     bool operator==(const ContactPair&) const = default;
 };
+
+/// Whether the pair is a body's whole outline with itself: folds.
+[[nodiscard]] inline bool is_self_contact(const ContactPair& pair) {
+    return pair.by_bodies && pair.master.body == pair.slave.body;
+}
 
 /// What solves the nonnegative problem for the contact forces.
 enum class ForceSolver { active_set, gauss_seidel, conjugate_gradient };
@@ -353,6 +360,7 @@ struct Scene {
     Analysis analysis;
     std::vector<ExactHistory> exact;
     std::vector<Expectation> expect;
+    std::optional<Lesson> lesson;
 
     std::string file;                    ///< path as given, for messages
     std::string text;                    ///< the file's text, as read

@@ -27,9 +27,16 @@ class WindowContext : public Context {
 [[nodiscard]] std::unique_ptr<WindowContext> make_window_context(const std::string& title, int width,
                                                                  int height);
 
+/// A picture in memory, with a context of its own.
+class OffscreenContext : public Context {
+  public:
+    /// What was drawn is lost. @throws RenderError.
+    virtual void resize(int width, int height) = 0;
+};
+
 /// A true OSMesa context: no display, no GPU, libOSMesa loaded at this call. VTK draws into framebuffers of
 /// its own, whatever the size; a user interface needs the size at which it is shown.
 /// @throws RenderError saying which library or symbol is missing and which package holds it.
-[[nodiscard]] std::unique_ptr<Context> make_offscreen_context(int width = 16, int height = 16);
+[[nodiscard]] std::unique_ptr<OffscreenContext> make_offscreen_context(int width = 16, int height = 16);
 
 }  // namespace percuss::render

@@ -1,4 +1,5 @@
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "context/context.hpp"
@@ -42,9 +43,9 @@ const OsMesa& osmesa() {
 
 void* osmesa_address(const char* name, void*) { return reinterpret_cast<void*>(osmesa().get_proc(name)); }
 
-class OffscreenContext final : public Context {
+class OsMesaContext final : public OffscreenContext {
   public:
-    OffscreenContext(int width, int height)
+    OsMesaContext(int width, int height)
         : width_(width),
           height_(height),
           buffer_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
@@ -69,7 +70,7 @@ class OffscreenContext final : public Context {
         make_current();
     }
 
-    ~OffscreenContext() override {
+    ~OsMesaContext() override {
         // The dispatch table must go first: a call in between would reach a context that is being destroyed.
         if (is_current()) {
             dispatch().lose_current();
@@ -77,14 +78,27 @@ class OffscreenContext final : public Context {
         }
         osmesa().destroy(context_);
     }
-    OffscreenContext(const OffscreenContext&) = delete;
-    OffscreenContext& operator=(const OffscreenContext&) = delete;
+    OsMesaContext(const OsMesaContext&) = delete;
+    OsMesaContext& operator=(const OsMesaContext&) = delete;
 
     void make_current() override {
         if (is_current()) return;  // OSMesaMakeCurrent flushes and revalidates each time
         if (osmesa().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, width_, height_) == GL_FALSE)
             throw RenderError("OSMesa refused to make its context current");
         dispatch().make_current();
+    }
+
+    void resize(int width, int height) override {
+        if (width < 1 || height < 1) throw RenderError("an offscreen context needs at least one pixel");
+        std::vector<std::uint8_t> buffer(4 * static_cast<std::size_t>(width) *
+                                         static_cast<std::size_t>(height));
+        // The old buffer is written to until the new one is current.
+        if (osmesa().make_current(context_, buffer.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE)
+            throw RenderError("OSMesa refused to make its context current");
+        dispatch().make_current();
+        buffer_ = std::move(buffer);
+        width_ = width;
+        height_ = height;
     }
 
     [[nodiscard]] bool is_current() const override {
@@ -105,9 +119,9 @@ class OffscreenContext final : public Context {
 
 }  // namespace
 
-std::unique_ptr<Context> make_offscreen_context(int width, int height) {
+std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height) {
     if (width < 1 || height < 1) throw RenderError("an offscreen context needs at least one pixel");
-    return std::make_unique<OffscreenContext>(width, height);
+    return std::make_unique<OsMesaContext>(width, height);
 }
 
 }  // namespace percuss::render

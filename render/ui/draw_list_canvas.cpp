@@ -75,7 +75,8 @@ void DrawListCanvas::fill_arrow(const std::array<std::array<double, 2>, 7>& outl
     std::array<ImVec2, 7> p;
     // ImGui's smooth rims want clockwise corners; turning y over does that.
     for (std::size_t i = 0; i < 7; ++i) p[i] = point(left_ + outline[i][0], bottom_ - outline[i][1]);
-    list_.AddPolyline(p.data(), 7, packed(ink::white), ImDrawFlags_Closed, 2.5F);
+    list_.AddPolyline(p.data(), 7, packed(ink::white), ImDrawFlags_Closed,
+                      2);  // whole widths are drawn with a third of the triangles
     const std::array<ImVec2, 4> shaft{p[0], p[1], p[5], p[6]};
     list_.AddConvexPolyFilled(shaft.data(), 4, packed(colour));
     list_.AddTriangleFilled(p[2], p[3], p[4], packed(colour));

@@ -192,6 +192,7 @@ class Window final : public Screen {
     Context& context() override { return *context_; }
     [[nodiscard]] std::array<int, 2> size() const override { return context_->size(); }
     void rest(double seconds) override { glfwWaitEventsTimeout(seconds); }
+    void resize(std::array<int, 2> size) override { glfwSetWindowSize(context_->window(), size[0], size[1]); }
     void set_title(const std::string& title) override {
         glfwSetWindowTitle(context_->window(), title.c_str());
     }
@@ -240,10 +241,17 @@ class Offscreen final : public Screen {
     void rest(double seconds) override {
         std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
     }
+    void resize(std::array<int, 2> size) override { wanted_size_ = size; }
     void set_title(const std::string&) override {}
 
   private:
-    bool poll() override { return true; }
+    bool poll() override {
+        if (const auto size = std::exchange(wanted_size_, std::nullopt)) {
+            context_->resize((*size)[0], (*size)[1]);
+            size_ = *size;
+        }
+        return true;
+    }
     void begin_backend_frame() override {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(size_[0]), static_cast<float>(size_[1])};
@@ -252,7 +260,8 @@ class Offscreen final : public Screen {
     void present() override {}
 
     std::array<int, 2> size_;
-    std::unique_ptr<Context> context_;
+    std::optional<std::array<int, 2>> wanted_size_;
+    std::unique_ptr<OffscreenContext> context_;
 };
 
 }  // namespace

@@ -45,6 +45,8 @@ class Screen {
     [[nodiscard]] const Fonts& fonts() const { return fonts_; }
     /// Waits for input, at most so long, when nothing would change on the screen.
     virtual void rest(double seconds) = 0;
+    /// Takes effect in the next frames; a display may not grant it. @param size at least 1 x 1 [pixels]
+    virtual void resize(std::array<int, 2> size) = 0;
     virtual void set_title(const std::string& title) = 0;
     [[nodiscard]] virtual std::vector<std::filesystem::path> take_dropped_files() { return {}; }
 

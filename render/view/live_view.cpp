@@ -47,7 +47,9 @@ struct LiveView::Impl {
     Impl& operator=(const Impl&) = delete;
 
     void apply(ViewOptions chosen, RangeMode wanted_mode);
-    void prepare(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size, double ink_scale);
+    void prepare(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size, double ink_scale,
+                 bool folded);
+    void fold(bool wanted);
     void colour();
 
     std::shared_ptr<const RunSetup> setup;
@@ -71,6 +73,7 @@ struct LiveView::Impl {
     double scale = 1, cell_size = 0;
     std::array<int, 2> size{64, 64};
     ForceScaling forces;
+    std::optional<double> fold_at;  // the axis, when the texture has one side of it only [pixels]
 };
 
 void LiveView::Impl::apply(ViewOptions chosen, RangeMode wanted_mode) {
@@ -91,8 +94,25 @@ void LiveView::Impl::colour() {
     mesh.show(*now, values, range, options.edges, cell_size / scale);
 }
 
+/// Where the axis is in sight, only the larger side of it is drawn. Walls are not alike on both sides: their
+/// hatches lean.
+void LiveView::Impl::fold(bool wanted) {
+    fold_at.reset();
+    const std::size_t across = mesh.plane.mirror_axis();
+    const double from = across == 0 ? model.x : model.y, to = across == 0 ? model.right() : model.top();
+    double& at = fit.offset[across];
+    const bool folded =
+        wanted && mesh.plane.mirrored && setup->scene.walls.empty() && at > from + 1 && at < to - 1;
+    if (folded) {
+        at = std::round(at);  // pixels come to lie on pixels
+        fold_at = at;
+    }
+    const bool mirror_image = folded && at - from > to - at;
+    mesh.surface->set_halves(!mirror_image, !folded || mirror_image);
+}
+
 void LiveView::Impl::prepare(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> wanted_size,
-                             double ink_scale) {
+                             double ink_scale, bool folded) {
     now = std::move(snapshot);
     size = {std::max(wanted_size[0], 64), std::max(wanted_size[1], 64)};
     scale = ink_scale;
@@ -112,6 +132,7 @@ void LiveView::Impl::prepare(std::shared_ptr<const Snapshot> snapshot, std::arra
     }
     forces = make_force_scaling(options, mesh.extent->largest_force, 0.15 * std::min(size[0], size[1]));
     cell_size = fit.pixels_per_unit * start_cell_size;
+    fold(folded);
     aim(*stage, fit, model, size);
     colour();
     ground_actor->GetScene()->SetDirty(true);
@@ -139,11 +160,38 @@ void LiveView::set_options(const ViewOptions& options, RangeMode mode) { impl_->
 void LiveView::set_camera(std::optional<LiveCamera> camera) { impl_->camera = camera; }
 
 unsigned LiveView::draw(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size, double scale) {
-    impl_->prepare(std::move(snapshot), size, scale);
+    impl_->prepare(std::move(snapshot), size, scale, true);
     impl_->overlay->DrawOff();
     RenderWindow& window = *impl_->window;
     window.Render();
     return window.GetDisplayFramebuffer()->GetColorAttachmentAsTextureObject(0)->GetHandle();
+}
+
+std::vector<LivePart> LiveView::parts() const {
+    const std::array<double, 2> size{static_cast<double>(impl_->size[0]),
+                                     static_cast<double>(impl_->size[1])};
+    if (!impl_->fold_at) return {{{0, 0, size[0], size[1]}}};
+    const std::size_t across = impl_->mesh.plane.mirror_axis();
+    const Rect& model = impl_->model;
+    const double from = across == 0 ? model.x : model.y, to = across == 0 ? model.right() : model.top();
+    const double axis = *impl_->fold_at;
+    const bool low_drawn = axis - from > to - axis;
+    // What lies beside the model is as it was drawn.
+    const double begin = low_drawn ? axis : from, end = low_drawn ? to : axis;
+    std::vector<LivePart> parts;
+    const auto part = [&](double low, double high, double source_low, double source_high) {
+        if (high <= low) return;
+        LivePart made{{0, 0, size[0], size[1]}};
+        (across == 0 ? made.place.x : made.place.y) = low;
+        (across == 0 ? made.place.width : made.place.height) = high - low;
+        made.low[across] = source_low / size[across];
+        made.high[across] = source_high / size[across];
+        parts.push_back(made);
+    };
+    part(0, begin, 0, begin);
+    part(begin, end, 2 * axis - begin, 2 * axis - end);
+    part(end, size[across], end, size[across]);
+    return parts;
 }
 
 Image LiveView::picture(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size, double scale,
@@ -157,7 +205,7 @@ Image LiveView::picture(std::shared_ptr<const Snapshot> snapshot, std::array<int
         view.window->AddRenderer(view.overlay);
     }
     view.overlay_ink->painter = ink;
-    view.prepare(std::move(snapshot), size, scale);
+    view.prepare(std::move(snapshot), size, scale, false);
     view.overlay_actor->GetScene()->SetDirty(true);
     view.overlay->DrawOn();
     Image image = view.window->grab();

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "canvas.hpp"
 #include "context/context.hpp"
@@ -20,6 +21,14 @@ namespace percuss::render {
 struct LiveCamera {
     std::array<double, 2> centre{0, 0};  ///< of the model's part of the window [length]
     double pixels_per_unit = 1;          ///< [pixels/length]
+};
+
+/// A part of a picture and where its pixels are in the texture: the other way round where it is the mirror
+/// image of what the texture has.
+struct LivePart {
+    Rect place;  ///< in the picture [pixels]
+    /// Of the texture, at the lower left and at the upper right corner of the place [0 to 1].
+    std::array<double, 2> low{0, 0}, high{1, 1};
 };
 
 enum class RangeMode {
@@ -43,9 +52,12 @@ class LiveView {
     /// @param camera absent: all bodies, followed as they fly.
     void set_camera(std::optional<LiveCamera> camera);
     /// Draws the mesh. @param size of the picture [pixels]. @param scale of ink: 1 is 14 pixels for text.
-    /// @returns the OpenGL name of an RGB texture, lowest row first, valid until the next draw.
+    /// @returns the OpenGL name of an RGB texture, lowest row first, valid until the next draw; parts() says
+    /// how it makes the picture.
     [[nodiscard]] unsigned draw(std::shared_ptr<const Snapshot> snapshot, std::array<int, 2> size,
                                 double scale);
+    /// The whole texture; of a mirrored mesh its larger half, twice: half the work.
+    [[nodiscard]] std::vector<LivePart> parts() const;
     /// Arrows, labels, colour bar and scale bar of the last draw(), in its pixels.
     void paint(Canvas& canvas) const;
 

@@ -184,10 +184,21 @@ void Surface::set_colours(vtkLookupTable* table, const std::array<double, 2>& ra
 }
 
 void Surface::set_edges(bool shown, double opacity) {
-    for (const auto& actor : line_actors_) {
-        actor->SetVisibility(shown);
-        actor->GetProperty()->SetOpacity(opacity);
-    }
+    edges_ = shown;
+    show(line_actors_, edges_);
+    for (const auto& actor : line_actors_) actor->GetProperty()->SetOpacity(opacity);
+}
+
+void Surface::set_halves(bool meshed, bool mirror_image) {
+    halves_ = {meshed, mirror_image};
+    show(cell_actors_, true);
+    show(line_actors_, edges_);
+    show(outline_actors_, true);
+}
+
+void Surface::show(const std::vector<vtkSmartPointer<vtkActor>>& actors, bool shown) {
+    for (std::size_t half = 0; half < actors.size(); ++half)
+        actors[half]->SetVisibility(shown && halves_[half]);
 }
 
 void Surface::set_line_widths(double edges, double outlines) {

@@ -38,12 +38,18 @@ class Surface {
     /// @param opacity 0 to 1: dense meshes need faint edges. The outlines of the bodies are drawn in any
     /// case.
     void set_edges(bool shown, double opacity);
+    /// Which halves of a mirrored mesh are drawn; both at first.
+    void set_halves(bool meshed, bool mirror_image);
     void set_line_widths(double edges, double outlines);  ///< pixels
 
   private:
     void add_actors(vtkPolyDataMapper* mapper, std::vector<vtkSmartPointer<vtkActor>>& actors);
 
+    void show(const std::vector<vtkSmartPointer<vtkActor>>& actors, bool shown);
+
     Plane plane_;
+    std::array<bool, 2> halves_{true, true};
+    bool edges_ = true;
     vtkRenderer& renderer_;
     vtkSmartPointer<vtkPoints> points_;
     vtkSmartPointer<vtkPolyData> cells_, lines_, outlines_;

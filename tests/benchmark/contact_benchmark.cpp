@@ -1,8 +1,10 @@
 #include <cmath>
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include "aligned.hpp"
+#include "contact/contact_method.hpp"
 #include "contact/scheme.hpp"
 #include "mesh/build.hpp"
 #include "rods.hpp"
@@ -74,6 +76,81 @@ void contact_search_and_solve(benchmark::State& state) {
     per_node(state);
 }
 
+/// Two strips of elements whose faces do not match, about to close everywhere: `nodes` contact nodes in the
+/// finer face, 5/6 of that in the other, all in one problem.
+class PressedStrips {
+  public:
+    PressedStrips(int nodes, const char* scheme) : scene_(strips(nodes, scheme)), mesh_(build_mesh(scene_)) {
+        const auto& upper = mesh_.bodies[0];
+        for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+            const bool moving = static_cast<std::int32_t>(n) < upper.node_end;
+            const double speed = moving ? -10 - 0.1 * std::sin(static_cast<double>(n)) : 0;
+            nodes_.push_back({{mesh_.nodes[n].x(), mesh_.nodes[n].y() + dt * speed}, {0, speed}});
+        }
+        start_ = nodes_;
+        inverse_mass_.assign(2 * nodes_.size(), 1e3);
+        impulse_.assign(2 * nodes_.size(), 0);
+        method_ = make_contact_method(scene_, mesh_, scene_.contact_solver.scheme);
+    }
+
+    void step(RunStatistics& statistics) {
+        PredictedMotion motion{dt, dt, nodes_.data(), inverse_mass_.data(), impulse_.data(), &touched_};
+        method_->resolve(motion, statistics);
+        for (const std::int32_t node : touched_) {
+            const auto n = static_cast<std::size_t>(node);
+            nodes_[n] = start_[n];
+            impulse_[2 * n] = impulse_[2 * n + 1] = 0;
+        }
+        touched_.clear();
+    }
+
+  private:
+    static constexpr double dt = 1e-5;
+
+    static Scene strips(int nodes, const char* scheme) {
+        const int fine = nodes - 1, coarse = std::max(1, fine * 5 / 6);
+        const auto body = [&](const char* name, int bottom, int columns) {
+            return fmt::format(
+                "[[body]]\nname = \"{0}\"\nmaterial = \"steel\"\n[[body.block]]\n"
+                "corners = [[0, {1}], [{2}, {1}], [{2}, {3}], [0, {3}]]\ndivisions = [{4}, 1]\n",
+                name, bottom, fine, bottom + 1, columns);
+        };
+        return parse_scene(
+            "percuss = 1\n[units]\nlength = \"mm\"\ntime = \"ms\"\nmass = \"kg\"\n[model]\n"
+            "geometry = \"plane strain\"\nduration = 1\n[model.step]\ncourant = 0.9\n[[material]]\n"
+            "name = \"steel\"\ndensity = 7.85e-6\nyoung = 210\npoisson = 0.3\n" +
+                body("upper", 1, fine) + body("lower", 0, coarse) +
+                "[contact_solver]\nscheme = \"joint\"\n[[contact]]\nname = \"face\"\n"
+                "bodies = [\"upper\", \"lower\"]\nscheme = \"" +
+                scheme + "\"\n",
+            "strips.toml");
+    }
+
+    Scene scene_;
+    Mesh mesh_;
+    AlignedVector<Node> nodes_, start_;
+    std::vector<double> inverse_mass_, impulse_;
+    std::vector<std::int32_t> touched_;
+    std::unique_ptr<ContactMethod> method_;
+};
+
+/// A whole step of contact: how its cost per contact node grows with their number.
+void joint_contact(benchmark::State& state, const char* scheme) {
+    PressedStrips strips(static_cast<int>(state.range(0)), scheme);
+    RunStatistics statistics;
+    for (auto _ : state) strips.step(statistics);
+    per_node(state);
+    state.counters["rows"] = statistics.contact_solver.most_rows;
+    state.counters["factorisations"] =
+        static_cast<double>(statistics.contact_solver.iterations) /
+        std::max<double>(1, static_cast<double>(statistics.contact_solver.problems));
+}
+
+BENCHMARK_CAPTURE(joint_contact, symmetric, "symmetric")->RangeMultiplier(10)->Range(10, 10000);
+BENCHMARK_CAPTURE(joint_contact, segment_to_segment, "segment-to-segment")
+    ->RangeMultiplier(10)
+    ->Range(10, 10000);
+BENCHMARK_CAPTURE(joint_contact, node_to_side, "node-to-side")->RangeMultiplier(10)->Range(10, 10000);
 BENCHMARK(contact_search)->Arg(6)->Arg(21)->Arg(101);
 BENCHMARK(contact_search_and_solve)->Arg(6)->Arg(21)->Arg(101);
 

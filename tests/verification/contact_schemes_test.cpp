@@ -150,9 +150,9 @@ INSTANTIATE_TEST_SUITE_P(Schemes, RolelessScheme,
                          ::testing::Values(SchemeChoice{"symmetric", "symmetric"},
                                            SchemeChoice{"segment_to_segment", "segment-to-segment"},
                                            SchemeChoice{"symmetric_velocity", "symmetric",
-                                                        "level = \"velocity\"\n", joint_problem, 3e-3},
+                                                        "level = \"velocity\"\n", joint_problem, 6e-5},
                                            SchemeChoice{"segment_velocity", "segment-to-segment",
-                                                        "level = \"velocity\"\n", joint_problem, 3e-3}),
+                                                        "level = \"velocity\"\n", joint_problem}),
                          [](const auto& scheme) { return std::string(scheme.param.name); });
 
 }  // namespace

@@ -37,6 +37,37 @@ PlotRun run_of_points(const std::vector<CurvePoint>& points, const std::string& 
     return {std::move(history), "", 0, rows, {1}, {place}};
 }
 
+/// The rows of a run, one after the other. Where its history is thinned there is one for the least and one
+/// for the greatest of a group of steps, and a last column says so.
+class RowWriter {
+  public:
+    explicit RowWriter(const PlotRun& run) : run_(&run), row_(run.begin) {}
+    [[nodiscard]] bool left() const { return row_ < run_->end; }
+    [[nodiscard]] bool says_kind() const { return run_->begin < run_->history->thinned_rows(); }
+    void write(fmt::memory_buffer& text) {
+        if (!left()) {  // another run has more rows
+            for (std::size_t k = 0; k < run_->columns.size() + (says_kind() ? 1 : 0); ++k)
+                text.push_back(',');
+            return;
+        }
+        const std::vector<double> values = run_->history->table(row_, row_ + 1);
+        fmt::format_to(std::back_inserter(text), "{:.17g}", values[0]);
+        for (const std::size_t column : run_->columns)
+            fmt::format_to(std::back_inserter(text), ",{:.17g}", values[column]);
+        const std::size_t grain = run_->history->grain(row_), half = std::max<std::size_t>(grain / 2, 1);
+        if (says_kind())
+            fmt::format_to(std::back_inserter(text), ",{}",
+                           grain == 1 ? "step"
+                                      : fmt::format("{} of {} steps",
+                                                    row_ % grain < half ? "least" : "greatest", grain));
+        row_ = (row_ / half + 1) * half;
+    }
+
+  private:
+    const PlotRun* run_;
+    std::size_t row_;
+};
+
 std::string heading(const Units& units, const HistoryColumn& column, const std::string& prefix) {
     const std::string label = units.label(column.quantity);
     return csv_cell(prefix + (label.empty() ? column.name : fmt::format("{} [{}]", column.name, label)));
@@ -57,9 +88,23 @@ PlotContents contents_of(Workbench& w, const PlotInfo& plot) {
         if (curve.own) {  // a probe of the window has rows of its own
             const MinMaxPyramid& values = curve.own->column(curve.column);
             std::vector<CurvePoint> points;
-            for (std::size_t row = 0; row < curve.own->rows(); ++row)
-                points.push_back({curve.own->times()[row], values[row]});
-            others.push_back(run_of_points(points, "probe." + curve.label, plot.quantity, i, contents.times));
+            const std::size_t thinned = values.thinned();
+            for (std::size_t row = 0; row < curve.own->rows(); ++row) {
+                const double time = curve.own->times()[row];
+                const MinMax known =
+                    row < thinned ? values.range(row, row + 1) : MinMax{values[row], values[row]};
+                // Once for a group of steps that are known together.
+                const bool again = row < thinned && points.size() > 1 && points.back().value == known.high &&
+                                   points[points.size() - 2].value == known.low;
+                if (again) continue;
+                points.push_back({time, known.low});
+                if (row < thinned) points.push_back({time, known.high});
+            }
+            std::string name = "probe." + curve.label;
+            if (thinned > 0)
+                name += fmt::format(", before {:.6g} least and greatest of some steps",
+                                    curve.own->times()[thinned]);
+            others.push_back(run_of_points(points, name, plot.quantity, i, contents.times));
             continue;
         }
         present.columns.push_back(curve.column);
@@ -101,31 +146,27 @@ void write_plot_csv(const std::filesystem::path& file, const PlotContents& conte
         std::ofstream out(aside, std::ios::binary);
         fmt::memory_buffer text;
         const char* comma = "";
-        std::size_t rows = 0;
+        std::vector<RowWriter> writers;
         for (const PlotRun& run : contents.runs) {
-            rows = std::max(rows, run.end - run.begin);
+            writers.emplace_back(run);
             const auto& columns = run.history->columns();
-            const auto head = [&](std::size_t column) {
-                fmt::format_to(std::back_inserter(text), "{}{}", comma,
-                               heading(contents.units, columns[column], run.prefix));
+            const auto head = [&](const std::string& words) {
+                fmt::format_to(std::back_inserter(text), "{}{}", comma, words);
                 comma = ",";
             };
-            head(0);
-            for (const std::size_t column : run.columns) head(column);
+            head(heading(contents.units, columns[0], run.prefix));
+            for (const std::size_t column : run.columns)
+                head(heading(contents.units, columns[column], run.prefix));
+            if (writers.back().says_kind()) head(csv_cell(run.prefix + "what the row is"));
         }
         text.push_back('\n');
-        for (std::size_t i = 0; i < rows; ++i) {
-            for (const PlotRun& run : contents.runs) {
-                if (&run != contents.runs.data()) text.push_back(',');
-                const std::size_t row = run.begin + i;
-                if (row >= run.end) {  // the other run has more rows
-                    for (std::size_t k = 0; k < run.columns.size(); ++k) text.push_back(',');
-                    continue;
-                }
-                const std::vector<double> values = run.history->table(row, row + 1);
-                fmt::format_to(std::back_inserter(text), "{:.17g}", values[0]);
-                for (const std::size_t column : run.columns)
-                    fmt::format_to(std::back_inserter(text), ",{:.17g}", values[column]);
+        const auto some_left = [&] {
+            return std::any_of(writers.begin(), writers.end(), [](const RowWriter& w) { return w.left(); });
+        };
+        while (some_left()) {
+            for (std::size_t k = 0; k < writers.size(); ++k) {
+                if (k > 0) text.push_back(',');
+                writers[k].write(text);
             }
             text.push_back('\n');
             if (text.size() > 1 << 20) {

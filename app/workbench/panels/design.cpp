@@ -169,7 +169,13 @@ void show_derived(Workbench& w, const DesignValue& value) {
     tooltip(help_of(value));
 }
 
-void show_value(Workbench& w, const DesignValue& value) {
+}  // namespace
+
+void show_design_value(Workbench& w, const DesignValue& value) {
+    if (value.key == "contact_solver.scheme" && value.expression.empty()) {
+        show_scheme_choice(w);  // the same by names that say more
+        return;
+    }
     if (!value.expression.empty()) {
         show_derived(w, value);
         return;
@@ -181,9 +187,11 @@ void show_value(Workbench& w, const DesignValue& value) {
     show_label(w, value);
 }
 
+namespace {
+
 void show_group(Workbench& w, const std::string& group, bool derived) {
     for (const DesignValue& value : w.run.design())
-        if (value.group == group && (derived || value.expression.empty())) show_value(w, value);
+        if (value.group == group && (derived || value.expression.empty())) show_design_value(w, value);
 }
 
 void show_legend() {
@@ -191,7 +199,8 @@ void show_legend() {
     ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("acts at once");
-    ImGui::SameLine(0, 1.2F * ImGui::GetFontSize());
+    same_line_for(ImGui::CalcTextSize("builds the run anew").x + 1.5F * ImGui::GetFontSize(),
+                  1.2F * ImGui::GetFontSize());
     show_mark(ChangeEffect::rebuild);
     ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
     ImGui::AlignTextToFramePadding();

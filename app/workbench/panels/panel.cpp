@@ -23,6 +23,12 @@ Panel::Panel(const char* name, const PanelArea& area, bool padded, bool scrolls)
 
 Panel::~Panel() { ImGui::End(); }
 
+void same_line_for(float width, float gap) {
+    const float apart = gap < 0 ? ImGui::GetStyle().ItemSpacing.x : gap;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + apart + width <= right) ImGui::SameLine(0, apart);
+}
+
 void tooltip(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();

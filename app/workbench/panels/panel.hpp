@@ -22,6 +22,9 @@ class Panel {
     Panel& operator=(const Panel&) = delete;
 };
 
+/// ImGui::SameLine where something so wide has room in it; else the next line [pixels].
+void same_line_for(float width, float gap = -1);
+
 /// A button for a command of the table, named like it, with its help and key as tooltip. @param label "": its
 /// title
 bool command_button(Workbench& workbench, const char* command, const char* label = "", float width = 0);
@@ -51,9 +54,16 @@ void show_timeline(Workbench& workbench, const PanelArea& area);
 void show_view_settings(Workbench& workbench);  ///< within the panel on the left
 void show_probes(Workbench& workbench);         ///< likewise
 void show_design(Workbench& workbench);         ///< likewise
-void show_reference(Workbench& workbench);      ///< likewise
-void show_export(Workbench& workbench);         ///< likewise
-void show_time_spent(Workbench& workbench);     ///< likewise
+/// A value of the design panel, with its name, wherever it stands.
+void show_design_value(Workbench& workbench, const DesignValue& value);
+/// The named contact schemes, of which one is chosen.
+void show_scheme_choice(Workbench& workbench);
+/// What the scene teaches, and the control that it is about. @pre has_lesson
+void show_lesson(Workbench& workbench, const PanelArea& area);
+[[nodiscard]] bool has_lesson(const Workbench& workbench);
+void show_reference(Workbench& workbench);   ///< likewise
+void show_export(Workbench& workbench);      ///< likewise
+void show_time_spent(Workbench& workbench);  ///< likewise
 void show_plots(Workbench& workbench, const PanelArea& area);
 void show_messages(Workbench& workbench, const PanelArea& viewport);
 void show_help(Workbench& workbench);

@@ -74,6 +74,30 @@ void show_legend(Workbench& w, const PlotInfo& plot) {
     }
 }
 
+/// Colours of the runs beside go on where those of the run itself end.
+ImU32 beside_colour(const PlotInfo& plot, std::size_t curve, std::size_t run) {
+    return palette[(curve + (run + 1) * plot.curves.size()) % palette.size()];
+}
+
+/// Which curve is of which run beside: a line each.
+void show_beside_legend(const Workbench& w, const PlotInfo& plot) {
+    const float em = ImGui::GetFontSize(), height = ImGui::GetTextLineHeight();
+    for (std::size_t b = 0; b < w.beside.size(); ++b) {
+        ImDrawList& ink = *ImGui::GetWindowDrawList();
+        ImVec2 at = ImGui::GetCursorScreenPos();
+        for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+            if (!shown(w.plots, plot, plot.curves[i])) continue;
+            ink.AddRectFilled({at.x + 0.2F * em, at.y + 0.5F * height - 0.14F * em},
+                              {at.x + 1.2F * em, at.y + 0.5F * height + 0.14F * em},
+                              beside_colour(plot, i, b));
+            at.x += 1.3F * em;
+        }
+        ImGui::Dummy({at.x - ImGui::GetCursorScreenPos().x, height});
+        ImGui::SameLine(0, 0.2F * em);
+        ImGui::TextUnformatted(w.beside[b].run->label().c_str());
+    }
+}
+
 /// Where numbers lie on the screen.
 struct Axes {
     ImVec2 low, high;  // corners of the plotting area: left top, right bottom
@@ -111,6 +135,8 @@ std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std
         if (!shown(w.plots, plot, curve)) continue;
         look_at(curves_of(w.plots, curve), curve.column);
         if (const auto column = reference_column(w, curve)) look_at(w.reference->curves, *column);
+        for (const BesideView& each : w.beside)
+            if (const auto column = beside_column(w, *each.run, curve)) look_at(each.run->curves(), *column);
     }
     if (!(low <= high)) return {0, 1};
     if (low > 0 && low < 0.6 * high) low = 0;
@@ -148,10 +174,26 @@ void draw_grid(ImDrawList& ink, const Axes& axes, double time_scale, const Displ
     ink.AddRect(axes.low, axes.high, ImGui::GetColorU32(ImGuiCol_Border));
 }
 
+/// In pieces that turn by less than a right angle: ImGui's joints make sharp turns, of which chatter
+/// consists, thin to nothing.
+void add_line(const std::vector<ImVec2>& line, ImU32 colour, float width, ImDrawList& ink) {
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const bool last = i + 1 == line.size();
+        const bool turns = !last && (line[i].x - line[i - 1].x) * (line[i + 1].x - line[i].x) +
+                                            (line[i].y - line[i - 1].y) * (line[i + 1].y - line[i].y) <
+                                        0;
+        if (!turns && !last) continue;
+        ink.AddPolyline(line.data() + begin, static_cast<int>(i - begin + 1), colour, 0, width);
+        begin = i;
+    }
+}
+
 void draw_curve(const Workbench& w, const PlotInfo& plot, const Curves& curves, const MinMaxPyramid& values,
                 const Axes& axes, ImU32 colour, float width, ImDrawList& ink) {
     static thread_local std::vector<CurvePoint> points;
-    static thread_local std::vector<ImVec2> line;
+    static thread_local std::vector<std::array<float, 2>> line;
+    static thread_local std::vector<ImVec2> drawn;
     const int parts = std::max(1, static_cast<int>(axes.high.x - axes.low.x));
     if (plot.rate)
         rates(curves, values, axes.from, axes.to, parts_of_rate(axes.high.x - axes.low.x), rate_window(w),
@@ -159,8 +201,11 @@ void draw_curve(const Workbench& w, const PlotInfo& plot, const Curves& curves, 
     else
         decimate(curves, values, axes.from, axes.to, parts, points);
     line.clear();
-    for (const CurvePoint& point : points) line.emplace_back(axes.x(point.time), axes.y(point.value));
-    ink.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width);
+    for (const CurvePoint& point : points) line.push_back({axes.x(point.time), axes.y(point.value)});
+    straighten(line, 0.3F);  // the software renderer's time goes by triangles
+    drawn.clear();
+    for (const auto& [x, y] : line) drawn.emplace_back(x, y);
+    add_line(drawn, colour, width, ink);
 }
 
 void draw_curves(Workbench& w, const PlotInfo& plot, const Axes& axes, ImDrawList& ink) {
@@ -180,12 +225,29 @@ void draw_curves(Workbench& w, const PlotInfo& plot, const Axes& axes, ImDrawLis
         draw_curve(w, plot, curves, curves.column(curve.column), axes, palette[i % palette.size()], width,
                    ink);
     }
+    // Above: chatter would cover them.
+    for (std::size_t b = w.beside.size(); b-- > 0;)
+        for (std::size_t i = plot.curves.size(); i-- > 0;) {
+            BesideRun& run = *w.beside[b].run;
+            const auto column = beside_column(w, run, plot.curves[i]);
+            if (!column || !shown(w.plots, plot, plot.curves[i])) continue;
+            draw_curve(w, plot, run.curves(), run.curves().column(*column), axes, beside_colour(plot, i, b),
+                       width, ink);
+        }
 }
 
 /// The last row at or before a time.
 std::size_t row_before(const Curves& curves, double time) {
     const std::size_t next = curves.row_at(time);
     return next > 0 && (next == curves.rows() || curves.times()[next] > time) ? next - 1 : next;
+}
+
+/// The number, or between which numbers it was.
+std::string value_at(const Units& units, Quantity quantity, const MinMaxPyramid& column, std::size_t row) {
+    const MinMax known =
+        row < column.thinned() ? column.range(row, row + 1) : MinMax{column[row], column[row]};
+    const std::string low = quantity_text(units, quantity, known.low);
+    return known.low < known.high ? low + " to " + quantity_text(units, quantity, known.high) : low;
 }
 
 /// What the curves show there: the last values at or before a time.
@@ -208,11 +270,13 @@ void tell_values(Workbench& w, const PlotInfo& plot, double time) {
                             render::format_number(unit.scale * rate_at(curves, column, time, rate_window(w))),
                             unit.label, column[row_before(curves, time)]);
         } else {
-            value = quantity_text(units, plot.quantity, column[row_before(curves, time)]);
+            value = value_at(units, plot.quantity, column, row_before(curves, time));
         }
         const std::string text = fmt::format("{}  {}", curve.label, value);
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette[i % palette.size()]), "%s", text.c_str());
     }
+    if (row_before(w.plots.curves, time) < w.plots.curves.times().thinned())
+        ImGui::TextDisabled("of a run this long, least and greatest of some steps");
     ImGui::EndTooltip();
 }
 
@@ -291,6 +355,7 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     show_plot_menu(w, plot);
     const float top = ImGui::GetCursorPosY();
     show_legend(w, plot);
+    show_beside_legend(w, plot);
     const float used = ImGui::GetCursorPosY() - top;
     const float below = last ? 2.5F * em : 0.4F * em;
     const ImVec2 at = ImGui::GetCursorScreenPos();

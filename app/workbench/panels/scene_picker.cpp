@@ -22,7 +22,8 @@ std::string short_name(const fs::path& file) {
     return !near.empty() && *near.begin() != ".." ? near.string() : whole.string();
 }
 
-/// Those that were opened last, then those below scenes/ and beside the present one.
+/// Those that were opened last, then those below scenes/ and beside the present one, and the recorded runs in
+/// out/.
 std::vector<std::string> find_scenes(const std::vector<fs::path>& recent, const fs::path& present) {
     std::set<std::string> found;
     std::error_code unreadable;
@@ -36,6 +37,13 @@ std::vector<std::string> find_scenes(const std::vector<fs::path>& recent, const 
     for (fs::directory_iterator entry(beside, unreadable), end; !unreadable && entry != end;
          entry.increment(unreadable))
         add(*entry);
+    // Recorded runs: OUT/NAME/run.h5, as `percuss run` leaves them.
+    for (fs::directory_iterator entry("out", unreadable), end; !unreadable && entry != end;
+         entry.increment(unreadable)) {
+        std::error_code none;
+        if (fs::is_regular_file(entry->path() / "run.h5", none))
+            found.insert(short_name(entry->path() / "run.h5"));
+    }
     std::vector<std::string> scenes;
     for (const fs::path& file : recent) {
         if (!fs::is_regular_file(file, unreadable)) continue;
@@ -91,7 +99,7 @@ void show_scene_picker(Workbench& w) {
     }
     const bool fresh = !std::exchange(picker.open, true);
     if (fresh) {
-        picker = {find_scenes(w.layout.recent, w.run.file()), "", 0, true};
+        picker = {find_scenes(w.layout.recent, w.run.file()), std::exchange(w.pick_typed, ""), 0, true};
         w.thumbnails.want(picker.scenes);
     }
     w.thumbnails.advance(w.screen.context());
@@ -120,7 +128,8 @@ void show_scene_picker(Workbench& w) {
         if (show_card(w, matches[i], i == picker.chosen)) open = matches[i];
         if (i == picker.chosen && i != before) ImGui::SetScrollHereY();
     }
-    if (matches.empty()) ImGui::TextDisabled("no scene of that name in scenes/ or beside the present one");
+    if (matches.empty())
+        ImGui::TextDisabled("no scene of that name in scenes/, beside the present one or recorded in out/");
     ImGui::EndChild();
     if (pressed(ImGuiKey_Escape)) w.pick_scene = false;
     ImGui::End();

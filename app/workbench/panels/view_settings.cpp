@@ -65,13 +65,16 @@ void choose_range(Workbench& w, const Scene& scene) {
         if (fixed) view.options.range = view.fixed;
         view.dirty = true;
     };
+    const auto radio_width = [](const char* label) {
+        return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
+    };
     if (mode("now", "view.range.frame", !view.fixed_range && !all, "Colours span the values of this moment."))
         take(false, render::RangeMode::frame);
-    ImGui::SameLine();
+    same_line_for(radio_width("all time"));
     if (mode("all time", "view.range.all", !view.fixed_range && all,
              "Colours span all values shown since the field was chosen."))
         take(false, render::RangeMode::all_time);
-    ImGui::SameLine();
+    same_line_for(radio_width("fixed"));
     if (mode("fixed", "view.range.fixed", view.fixed_range, "Colours span what is written below."))
         take(true, render::RangeMode::frame);
     if (!view.fixed_range || !view.view) return;

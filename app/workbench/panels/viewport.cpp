@@ -67,6 +67,18 @@ void draw_model(Workbench& w, std::array<int, 2> size) {
     v.dirty = false;
 }
 
+void draw_picture(const ViewportState& v, const PanelArea& area, ImDrawList& ink) {
+    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(v.texture));
+    const float bottom = area.y + area.height;
+    // OpenGL's first row is the lowest, ImGui's the highest.
+    for (const auto& [place, low, high] : v.view->parts())
+        ink.AddImage(texture,
+                     {area.x + static_cast<float>(place.x), bottom - static_cast<float>(place.top())},
+                     {area.x + static_cast<float>(place.right()), bottom - static_cast<float>(place.y)},
+                     {static_cast<float>(low[0]), static_cast<float>(high[1])},
+                     {static_cast<float>(high[0]), static_cast<float>(low[1])});
+}
+
 /// The mouse in the picture's coordinates.
 std::array<double, 2> model_point(const ViewportState& v, const PanelArea& area) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -144,9 +156,8 @@ void choose_sides(Workbench& w) {
     if (wanted && m.sides.empty() && m.setup) m.sides = render::contact_sides(*m.setup);
 }
 
-}  // namespace
-
-void show_viewport(Workbench& w, const PanelArea& area) {
+/// The run whose design is moved, in its part of the viewport.
+void show_own_run(Workbench& w, const PanelArea& area) {
     const Panel panel("viewport", area, false, false);
     if (!w.run.snapshot()) {
         const char* words =
@@ -165,10 +176,8 @@ void show_viewport(Workbench& w, const PanelArea& area) {
     }
     const ImVec2 low{area.x, area.y}, high{area.x + area.width, area.y + area.height};
     ImDrawList& ink = *ImGui::GetWindowDrawList();
-    // OpenGL's first row is the lowest.
-    ink.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(v.texture)), low, high, {0, 1},
-                 {1, 0});
     ink.PushClipRect(low, high, true);
+    draw_picture(v, area, ink);
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
     paint_beneath(w, *v.view, v.drawn, w.screen.scale(), canvas);
     v.view->paint(canvas);
@@ -182,6 +191,14 @@ void show_viewport(Workbench& w, const PanelArea& area) {
     open_menu(w);
     show_place_menu(w);
     show_values_under_mouse(w);
+}
+
+}  // namespace
+
+void show_viewport(Workbench& w, const PanelArea& area) {
+    const std::vector<PanelArea> parts = viewport_parts(area, 1 + w.beside.size());
+    show_own_run(w, parts.front());
+    if (w.viewport.view && w.viewport.drawn) show_beside(w, {parts.begin() + 1, parts.end()});
 }
 
 }  // namespace percuss::app

@@ -50,6 +50,10 @@ Thumbnails::~Thumbnails() = default;
 Thumbnails::Read Thumbnails::read(const std::string& scene, const std::optional<fs::path>& folder) {
     Read result;
     result.scene = scene;
+    if (fs::path(scene).extension() == ".h5") {
+        result.title = "recorded run";
+        return result;
+    }
     try {
         Scene parsed = load_scene(scene);
         result.title = parsed.title;

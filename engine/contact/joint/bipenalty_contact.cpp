@@ -21,7 +21,8 @@ void BipenaltyContact::assemble(const PredictedMotion& motion) {
     }
     JointContact::assemble(motion);
     for (std::size_t place = 0; place < chosen_.size(); ++place)
-        coupling_.soften(static_cast<std::int32_t>(place), per_stiffness / stiffness(row_at(place)));
+        coupling_.soften(static_cast<std::int32_t>(place),
+                         per_stiffness / stiffness(rows_[row_index(place)]));
 }
 
 }  // namespace percuss

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/joint/make_rows.hpp"
-
 namespace percuss {
 namespace {
 
@@ -23,7 +21,7 @@ FrictionalContact<Normal>::FrictionalContact(const Scene& scene, const Mesh& mes
     for (const ContactPair& pair : scene.contacts) {
         pairs_.push_back({pair.friction});
         if (pair.friction == 0) continue;
-        const RowBuilder::Size size = make_rows(scene, mesh, pair)->size();
+        const RowBuilder::Size size = this->size_of(pairs_.size() - 1);
         rows += size.rows;
         terms += size.terms;
     }
@@ -148,7 +146,7 @@ template <class Normal>
 double FrictionalContact<Normal>::meet_friction(const PredictedMotion& motion) {
     double most = 0;
     for (std::size_t place = 0; place < penetration_.size(); ++place) {
-        const ContactRow& row = this->row_at(place);
+        const ContactRow& row = rows_[this->row_index(place)];
         const double penetration = row.penetration - opening(rows_.terms(row), motion);
         most = std::max(most, std::abs(penetration - penetration_[place]));
         penetration_[place] = penetration;

@@ -16,6 +16,9 @@ namespace {
 /// A row outside the problem may close by this part of the deepest predicted penetration too far.
 constexpr double violation_tolerance = 1e-9;
 
+/// No gap of a row is (StepMotion::held).
+constexpr double not_held = -1;
+
 std::unique_ptr<NonnegativeSolver> make_solver(ForceSolver kind) {
     switch (kind) {
         case ForceSolver::gauss_seidel:
@@ -39,16 +42,19 @@ JointContact::JointContact(const Scene& scene, const Mesh& mesh, ConditionOf con
     std::size_t rows = 0, terms = 0;
     for (const ContactPair& pair : scene.contacts) {
         const PairSurfaces surfaces = pair_surfaces(scene, mesh, pair);
-        pairs_.push_back({make_rows(scene, mesh, pair), condition ? condition : condition_of(pair.level),
+        pairs_.push_back({make_rows(scene, mesh, pair), condition ? condition : &position_level,
                           add_surface(surfaces.master), add_surface(surfaces.slave)});
         const RowBuilder::Size size = pairs_.back().builder->size();
-        pairs_.back().pressed.assign(size.keys, 0);
+        pairs_.back().last.assign(size.keys, Last::not_in_problem);
+        if (!condition && pair.level == ContactLevel::velocity)
+            pairs_.back().held.assign(size.keys, not_held);
         rows += size.rows;
         terms += size.terms;
     }
     rows_.reserve(rows, terms);
     chosen_.reserve(rows);
     in_problem_.reserve(rows);
+    expected_.reserve(rows);
     penetration_.reserve(rows);
     force_.reserve(rows);
     standing_.reserve(rows);
@@ -83,9 +89,11 @@ void JointContact::restart(const std::vector<std::vector<std::int32_t>>& active)
         Pair& pair = pairs_[p];
         pair.rows_begin = pair.rows_end = 0;
         pair.left_open = 0;
+        std::fill(pair.held.begin(), pair.held.end(), not_held);
         pair.builder->restart(active[p]);
-        std::fill(pair.pressed.begin(), pair.pressed.end(), char{0});
-        for (const std::int32_t owner : active[p]) pair.pressed[static_cast<std::size_t>(owner)] = 1;
+        std::fill(pair.last.begin(), pair.last.end(), Last::not_in_problem);
+        for (const std::int32_t owner : active[p]) pair.last[static_cast<std::size_t>(owner)] = Last::pressed;
+        pair.remembers = !active[p].empty();
     }
 }
 
@@ -136,22 +144,35 @@ void JointContact::find(const PredictedMotion& motion) {
         pair.slave_motion = motion.dt * std::sqrt(slave);
         pair.rows_begin = rows_.size();
         const double range = pair.relative * std::max(1.0, longest_step_ / motion.dt);
-        pair.builder->find({motion.nodes, motion.dt, std::max(range, pair.left_open),
-                            motion.dt * recovery_speed_, pair.condition},
-                           rows_);
+        pair.builder->find(
+            {motion.nodes, motion.dt, std::max(range, pair.left_open), motion.dt * recovery_speed_,
+             pair.condition, pair.held.empty() ? nullptr : pair.held.data()},
+            rows_);
         pair.rows_end = rows_.size();
     }
 }
 
-void JointContact::choose_rows() {
+void JointContact::empty_problem() {
     chosen_.clear();
     in_problem_.assign(rows_.size(), 0);
+    expected_.assign(rows_.size(), BoundedSolver::between);
+}
+
+void JointContact::put_in_problem(std::size_t row) {
+    in_problem_[row] = 1;
+    chosen_.push_back(static_cast<std::int32_t>(row));
+}
+
+void JointContact::choose_rows() {
+    empty_problem();
     for (const Pair& pair : pairs_) {
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
             const ContactRow& row = rows_[k];
-            if (row.penetration <= row.margin && !pair.pressed[static_cast<std::size_t>(row.key)]) continue;
-            in_problem_[k] = 1;
-            chosen_.push_back(static_cast<std::int32_t>(k));
+            const Last last = pair.last[static_cast<std::size_t>(row.key)];
+            if (row.penetration <= row.margin && last != Last::pressed) continue;
+            // What others kept closed in the last step, they will again.
+            if (last == Last::open) expected_[k] = BoundedSolver::at_lower;
+            put_in_problem(k);
         }
     }
 }
@@ -168,8 +189,11 @@ void JointContact::assemble(const PredictedMotion& motion) {
     const std::size_t count = chosen_.size();
     penetration_.resize(count);
     force_.resize(count);
-    standing_.assign(count, BoundedSolver::between);
-    for (std::size_t place = 0; place < count; ++place) penetration_[place] = row_at(place).penetration;
+    standing_.resize(count);
+    for (std::size_t place = 0; place < count; ++place) {
+        penetration_[place] = rows_[row_index(place)].penetration;
+        standing_[place] = expected_[row_index(place)];
+    }
 }
 
 void JointContact::solve_forces(ContactSolverStatistics& statistics) {
@@ -183,12 +207,15 @@ void JointContact::solve_forces(ContactSolverStatistics& statistics) {
         statistics.rows += group.end - group.begin;
         statistics.most_rows = std::max(statistics.most_rows, group.end - group.begin);
     }
-    for (std::size_t place = 0; place < chosen_.size(); ++place)
-        row_at(place).force = std::max(0.0, force_[place]);
+    for (std::size_t place = 0; place < chosen_.size(); ++place) {
+        const std::size_t k = row_index(place);
+        rows_[k].force = std::max(0.0, force_[place]);
+        expected_[k] = standing_[place];
+    }
 }
 
-ContactRow& JointContact::row_at(std::size_t place) {
-    return rows_[static_cast<std::size_t>(chosen_[static_cast<std::size_t>(coupling_.order()[place])])];
+std::size_t JointContact::row_index(std::size_t place) const {
+    return static_cast<std::size_t>(chosen_[static_cast<std::size_t>(coupling_.order()[place])]);
 }
 
 void JointContact::clear_impulses(const PredictedMotion& motion) {
@@ -263,19 +290,34 @@ void JointContact::correct(const PredictedMotion& motion) {
     largest_correction_ = std::sqrt(largest);
 }
 
+/// A row that had force keeps the gap that it was met at, until nothing can close it in the next step.
+void JointContact::hold_gaps(Pair& pair) {
+    next_held_.assign(pair.held.size(), not_held);
+    pair.left_open = 0;
+    for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
+        const ContactRow& row = rows_[k];
+        const auto key = static_cast<std::size_t>(row.key);
+        const double held = pair.held[key];
+        const bool stays = held >= 0 && -row.penetration <= pair.relative;
+        if (row.force <= 0 && !stays) continue;
+        next_held_[key] = held >= 0 ? held : row.margin;
+        pair.left_open = std::max(pair.left_open, next_held_[key]);
+    }
+    pair.held.swap(next_held_);
+}
+
 void JointContact::remember() {
     for (Pair& pair : pairs_) {
-        double left_open = 0;
-        for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
-            const ContactRow& row = rows_[k];
-            char& pressed = pair.pressed[static_cast<std::size_t>(row.key)];
-            const bool persists = pressed && row.margin > 0 && row.margin <= pair.left_open + pair.relative;
-            if (row.force > 0 || persists) pressed = 2;
-            if (row.force > 0) left_open = std::max(left_open, row.margin);
-            if (persists) left_open = std::max(left_open, std::min(row.margin, pair.left_open));
-        }
-        pair.left_open = left_open;
-        for (char& pressed : pair.pressed) pressed = static_cast<char>(pressed / 2);
+        if (!pair.held.empty()) hold_gaps(pair);
+        const bool any = pair.rows_end > pair.rows_begin;
+        if (!any && !pair.remembers) continue;  // one of many pairs that are far apart
+        pair.remembers = any;
+        std::fill(pair.last.begin(), pair.last.end(), Last::not_in_problem);
+        for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k)
+            if (in_problem_[k]) {
+                Last& last = pair.last[static_cast<std::size_t>(rows_[k].key)];  // rows in a valley share one
+                last = rows_[k].force > 0 || last == Last::pressed ? Last::pressed : Last::open;
+            }
     }
 }
 

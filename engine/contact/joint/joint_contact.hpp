@@ -50,7 +50,9 @@ class JointContact : public ContactMethod {
     /// Solves for the forces of the chosen rows and puts their impulses on the nodes.
     virtual void solve(PredictedMotion& motion, ContactSolverStatistics& statistics);
 
-    // What a solution is made of.
+    // What a choice and a solution are made of.
+    void empty_problem();
+    void put_in_problem(std::size_t row);  ///< rows in ascending order
     virtual void assemble(const PredictedMotion& motion);
     /// Contact forces for the present penetration_, from the present standing_ of the forces.
     virtual void solve_forces(ContactSolverStatistics& statistics);
@@ -60,8 +62,9 @@ class JointContact : public ContactMethod {
     [[nodiscard]] static double opening(std::span<const RowTerm> terms, const PredictedMotion& motion);
     /// The largest of the predicted penetrations in the problem; 0 when there is none [length].
     [[nodiscard]] double deepest_penetration() const;
-    [[nodiscard]] ContactRow& row_at(std::size_t place);  ///< place in the matrix
+    [[nodiscard]] std::size_t row_index(std::size_t place) const;  ///< place in the matrix
     [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
+    [[nodiscard]] RowBuilder::Size size_of(std::size_t pair) const { return pairs_[pair].builder->size(); }
 
     double longest_step_ = 0;           ///< rows are found as if the step could be as long as this [time]
     ContactRows rows_;                  ///< all that could close in the step, pair by pair
@@ -75,13 +78,17 @@ class JointContact : public ContactMethod {
         std::vector<std::int32_t> nodes;
         std::array<double, 2> lowest, highest;  ///< [velocity]
     };
+    /// Where a row stood in the last step.
+    enum class Last : char { not_in_problem, open, pressed };
     struct Pair {
         AnyRowBuilder builder;
         ConditionOf condition;
-        std::size_t master, slave;       ///< among the surfaces
-        std::vector<char> pressed = {};  ///< per key: had force in the last step
+        std::size_t master, slave;      ///< among the surfaces
+        std::vector<Last> last = {};    ///< per key
+        bool remembers = false;         ///< some row was in the last step
+        std::vector<double> held = {};  ///< at the velocity level, per key: StepMotion::held
         std::size_t rows_begin = 0, rows_end = 0;
-        double left_open = 0;  ///< widest gap that a row was pressed at, while any persists [length]
+        double left_open = 0;                                      ///< the widest of the gaps held [length]
         double relative = 0, master_motion = 0, slave_motion = 0;  ///< bounds within this step [length]
     };
 
@@ -89,15 +96,18 @@ class JointContact : public ContactMethod {
     void find(const PredictedMotion& motion);
     void correct(const PredictedMotion& motion);
     void remember();
+    void hold_gaps(Pair& pair);
 
     double recovery_speed_;
     std::vector<Moving> surfaces_;
     std::vector<Pair> pairs_;
     std::vector<char> in_problem_;  ///< per row
+    std::vector<char> expected_;    ///< per row in the problem: where its force will stand
     std::vector<char> listed_;      ///< per node of the mesh: among the touched ones of this step
     AnyNonnegativeSolver solver_;
     ForceSolver solver_kind_;
-    std::vector<double> force_;  ///< per place in the matrix
+    std::vector<double> next_held_;  ///< per key of a pair
+    std::vector<double> force_;      ///< per place in the matrix
     std::vector<char> standing_;
     double largest_correction_ = 0;  ///< change of velocity by contact in this step [velocity]
 };

@@ -27,12 +27,12 @@ void PenaltyContact::resolve(PredictedMotion& motion, RunStatistics& statistics)
 }
 
 void PenaltyContact::choose_rows() {
-    chosen_.clear();
+    empty_problem();
     stored_ = 0;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         const ContactRow& row = rows_[k];
         if (row.penetration <= 0) continue;
-        chosen_.push_back(static_cast<std::int32_t>(k));
+        put_in_problem(k);
         stored_ += 0.5 * stiffness(row) * row.penetration * row.penetration;
     }
 }

@@ -17,10 +17,17 @@ struct StepMotion {
     double range = 0;     ///< bound of the relative motion of the two surfaces within the step [length]
     double recovery = 0;  ///< a penetration is taken back by no more than this in the step [length]
     ConditionOf condition = &position_level;
+    /// At the velocity level, per key: the gap that a row was met at, negative for one that was not; null:
+    /// another level [length].
+    const double* held = nullptr;
 
-    /// What a row of a gap, positive when open, and of its rate has to keep.
+    /// What a row of a gap, positive when open, and of its rate has to keep. @pre row.key is set
     void set_condition(ContactRow& row, double gap, double rate) const {
-        condition(row, gap, dt * rate, recovery);
+        const double at = held ? held[row.key] : 0;
+        if (at < 0)
+            velocity_level(row, gap, dt * rate, recovery);
+        else
+            condition(row, gap - at, dt * rate, recovery);
     }
 };
 

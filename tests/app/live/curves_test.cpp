@@ -49,6 +49,42 @@ TEST(Curves, FewPointsAreDrawnAsTheyAre) {
     EXPECT_EQ(points[2].value, 50);
 }
 
+/// How far a point lies above or below a line of ascending x; the nearer where it jumps.
+float distance_to(const std::vector<std::array<float, 2>>& line, const std::array<float, 2>& point) {
+    float least = 1e9F;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const auto& [x0, y0] = line[i - 1];
+        const auto& [x1, y1] = line[i];
+        if (point[0] < x0 || point[0] > x1) continue;
+        const float y = x1 > x0 ? y0 + (y1 - y0) * (point[0] - x0) / (x1 - x0)
+                                : std::clamp(point[1], std::min(y0, y1), std::max(y0, y1));
+        least = std::min(least, std::abs(point[1] - y));
+    }
+    return least;
+}
+
+TEST(Curves, AStraightenedLinePassesNearEveryPointAndKeepsJumps) {
+    std::vector<std::array<float, 2>> line;
+    for (int i = 0; i < 300; ++i) {
+        const auto x = static_cast<float>(i);
+        const float y = 40 * std::sin(0.02F * x) + 0.1F * static_cast<float>(i % 3);
+        line.push_back({x, y});
+        line.push_back({x, i == 77 ? y + 30 : y + 0.05F});
+        if (i > 200 && i < 220) line.push_back({x, i % 2 == 0 ? -20.0F : 20.0F});  // chatter
+    }
+    const auto whole = line;
+    straighten(line, 0.3F);
+    EXPECT_LT(line.size(), whole.size() / 4);
+    EXPECT_EQ(line.front(), whole.front());
+    EXPECT_EQ(line.back(), whole.back());
+    for (const auto& point : whole) EXPECT_LE(distance_to(line, point), 0.61F) << point[0];
+    const auto highest = [](const auto& points) {
+        return (*std::max_element(points.begin(), points.end(),
+                                  [](const auto& a, const auto& b) { return a[1] < b[1]; }))[1];
+    };
+    EXPECT_EQ(highest(line), highest(whole));
+}
+
 TEST(Curves, NewRowsAreAddedAndAnotherHistoryBeginsAnew) {
     auto history = chatter(10);
     Curves curves;

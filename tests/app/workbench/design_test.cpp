@@ -36,8 +36,8 @@ expect builds = 1
 click parameters.soft 0.8 0.5
 wait body.striker.hourglass > 0.7
 expect builds = 1
-click contact_solver.scheme
-click contact_solver.scheme.joint
+click scheme
+click scheme.joint
 wait contact_solver.scheme = joint
 expect builds = 1
 click run.step
