@@ -48,6 +48,17 @@ std::vector<Rect> places_around(const Rect& box, const std::array<double, 2>& si
     return places;
 }
 
+/// Places along both sides of the picture, from the height of the box on up and down: the last resort, with a
+/// long leader.
+void add_places_at_sides(const Rect& box, const std::array<double, 2>& size, const Rect& area, double gap,
+                         std::vector<Rect>& places) {
+    const double middle = box.y + 0.5 * (box.height - size[1]), row = size[1] + gap;
+    for (int ring = 0; ring < 8; ++ring)
+        for (const double y : {middle + ring * row, middle - ring * row})
+            for (const double x : {area.right() - gap - size[0], area.x + gap})
+                places.push_back({x, y, size[0], size[1]});
+}
+
 }  // namespace
 
 void paint_motion(Canvas& canvas, const Snapshot& snapshot, const Plane& plane, const Fit& fit,
@@ -59,7 +70,9 @@ void paint_motion(Canvas& canvas, const Snapshot& snapshot, const Plane& plane, 
         taken.push_back(boxes.back());
     }
     const Rect inside{area.x, area.y, area.width, area.height};
-    const TextStyle style{15 * scale, velocity_colour, Align::left, VerticalAlign::bottom, true};
+    // A narrow picture has more room for smaller letters.
+    const double letters = std::clamp(area.width / (400 * scale), 0.8, 1.0);
+    const TextStyle style{15 * scale * letters, velocity_colour, Align::left, VerticalAlign::bottom, true};
     for (std::size_t b = 0; b < boxes.size(); ++b) {
         const Rect& box = boxes[b];
         const double cx = box.x + 0.5 * box.width, cy = box.y + 0.5 * box.height;
@@ -69,12 +82,11 @@ void paint_motion(Canvas& canvas, const Snapshot& snapshot, const Plane& plane, 
         const std::string label = snapshot.setup->mesh.bodies[b].name + "  " +
                                   speed_text(speed, fastest, snapshot.setup->scene.units);
         const auto [width, height] = canvas.text_size(label, style);
-        const auto places = places_around(box, {width, height}, 12 * scale);
+        auto places = places_around(box, {width, height}, 12 * scale);
+        add_places_at_sides(box, {width, height}, area, 6 * scale, places);
         const Rect place = places[choose_place(places, inside, taken)];
         const Rect plate{place.x - 4 * scale, place.y - 2 * scale, width + 8 * scale, height + 4 * scale};
-        // Two labels on one place cannot be read; a label over a body or an arrow can.
-        constexpr std::size_t weight = 8;
-        taken.insert(taken.end(), weight, plate);
+        taken.insert(taken.end(), words_weight, plate);
 
         // The leader ties the label to the body's centre, where the arrow begins.
         const bool beside = cy > place.y && cy < place.top();

@@ -41,7 +41,7 @@ void show_menu(Workbench& workbench) {
     }
     const float width = ImGui::CalcTextSize(right.c_str()).x;
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - ImGui::GetFontSize()));
-    ImGui::TextDisabled("%s", right.c_str());
+    line_of_text(right, true);
     ImGui::EndMainMenuBar();
 }
 

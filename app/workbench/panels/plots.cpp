@@ -49,7 +49,8 @@ void show_legend(Workbench& w, const PlotInfo& plot) {
     float x = 0;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         const CurveInfo& curve = plot.curves[i];
-        const float width = ImGui::CalcTextSize(curve.label.c_str()).x + 1.7F * em;
+        const std::string label = shortened(curve.label, right - 2.3F * em);
+        const float width = ImGui::CalcTextSize(label.c_str()).x + 1.7F * em;
         if (i > 0 && x + width + 0.4F * em < right) ImGui::SameLine(0, 0.4F * em);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = ImGui::GetTextLineHeight();
@@ -68,9 +69,10 @@ void show_legend(Workbench& w, const PlotInfo& plot) {
         else
             ink.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_TextDisabled));
         ink.AddText({at.x + 1.5F * em, at.y}, ImGui::GetColorU32(on ? ImGuiCol_Text : ImGuiCol_TextDisabled),
-                    curve.label.c_str());
+                    label.c_str());
         point_at_pair(w, curve);
-        explain_tooltip(curve.label, on ? "Click: hide this curve." : "Click: show this curve.");
+        explain_tooltip(curve.label, (label == curve.label ? "" : curve.label + "\n") +
+                                         (on ? "Click: hide this curve." : "Click: show this curve."));
     }
 }
 
@@ -289,14 +291,12 @@ std::string total_of(Workbench& w, const PlotInfo& plot) {
     return fmt::format("{:.0f} so far", total);
 }
 
-/// Title and unit, and the total where there is room.
-std::string title_of(const PlotInfo& plot, const DisplayUnit& unit, const std::string& total) {
-    const std::string title =
-        unit.label.empty() ? plot.title : fmt::format("{} [{}]", plot.title, unit.label);
-    if (total.empty()) return title;
-    const std::string longer = title + ", " + total;
-    const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFontSize();
-    return ImGui::CalcTextSize(longer.c_str()).x < room ? longer : title;
+/// Title and unit, and the total where there is room; of a title that is too long the unit stays.
+std::string title_of(const PlotInfo& plot, const DisplayUnit& unit, const std::string& total, float room) {
+    const std::string of = unit.label.empty() ? "" : fmt::format(" [{}]", unit.label);
+    const std::string longer = plot.title + of + ", " + total;
+    if (!total.empty() && ImGui::CalcTextSize(longer.c_str()).x < room) return longer;
+    return shortened(plot.title, room - ImGui::CalcTextSize(of.c_str()).x) + of;
 }
 
 void navigate(Workbench& w, const PlotInfo& plot, const Axes& axes) {
@@ -343,14 +343,16 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     const bool open = !w.plots.folded.contains(plot.name);
     const std::string total = total_of(w, plot);
     ImGui::PushFont(w.screen.fonts().bold);
-    const std::string title = title_of(plot, unit, total);
     const float room = open ? ImGui::GetContentRegionAvail().x - 2 * em : 0;
+    const std::string title =
+        title_of(plot, unit, total, ImGui::GetContentRegionAvail().x - (open ? 3.2F : 1.2F) * em);
     if (ImGui::Selectable(fmt::format("{} {}###{}", open ? "\u2013" : "+", title, plot.name).c_str(), false,
                           0, {room, 0}))
         flip(w.plots.folded, plot.name), w.layout.plots[plot.name] = !open;
     ImGui::PopFont();
     w.names.name("plots." + plot.name + ".title");
-    explain_tooltip(plot.title, total);
+    const bool whole = title.starts_with(plot.title);
+    explain_tooltip(plot.title, whole ? total : plot.title + (total.empty() ? "" : "\n" + total));
     if (!open) return;
     show_plot_menu(w, plot);
     const float top = ImGui::GetCursorPosY();

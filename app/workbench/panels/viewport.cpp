@@ -180,7 +180,7 @@ void show_own_run(Workbench& w, const PanelArea& area) {
     draw_picture(v, area, ink);
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
     paint_beneath(w, *v.view, v.drawn, w.screen.scale(), canvas);
-    v.view->paint(canvas);
+    v.view->paint(canvas, places_of_words(w, *v.view, v.drawn, w.screen.scale(), canvas));
     choose_sides(w);
     paint_above(w, *v.view, v.drawn, w.screen.scale(), canvas);
     ink.PopClipRect();
