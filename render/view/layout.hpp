@@ -38,10 +38,6 @@ struct Fit {
 [[nodiscard]] std::array<double, 4> grown(const std::array<double, 4>& box,
                                           const std::array<double, 4>& needed);
 
-/// How often a rectangle with words counts among those taken: words over words cannot be read, over a body or
-/// an arrow they can.
-inline constexpr std::size_t words_weight = 8;
-
 /// The first of the candidates that lies inside `area` and overlaps none of `taken`; when all do, the
 /// candidate inside the area that overlaps the fewest. Index into `candidates`.
 [[nodiscard]] std::size_t choose_place(const std::vector<Rect>& candidates, const Rect& area,

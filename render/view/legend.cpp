@@ -33,7 +33,7 @@ Ticks bar_ticks(Canvas& canvas, double low, double high, double width, double sc
         Ticks closer = make_ticks(low, high, more);
         double room = width;
         for (const std::string& label : closer.labels)
-            room -= canvas.text_size(label, {13 * scale})[0] + 12 * scale;
+            room -= canvas.text_size(label, {13 * scale})[0] + 8 * scale;
         if (room > 0) ticks = std::move(closer);
     }
     return ticks;
@@ -79,7 +79,7 @@ void paint_force_legend(Canvas& canvas, const Rect& rect, double scale, const Fo
     word(", ", ink::text, false);
     word("slave", slave_force_colour, true);
     if (!(forces.reference > 0)) {
-        canvas.text(rect.x, middle, "none yet", {13 * scale, ink::soft});
+        canvas.text(rect.x, middle, "none now", {13 * scale, ink::soft});
         return;
     }
     canvas.arrow(rect.x, middle, forces.reference_length, 0, master_force_colour, 2.4 * scale);

@@ -255,10 +255,9 @@ void LiveView::paint(Canvas& canvas, std::vector<Rect> corners) const {
                                    view.cell_size, s);
     // In the upper right corner whoever shows the view writes the time.
     corners.push_back({view.model.right() - 160 * s, view.model.top() - 36 * s, 160 * s, 36 * s});
-    for (const Rect& corner : corners) taken.insert(taken.end(), words_weight, corner);
     if (view.options.velocities)
         paint_motion(canvas, *view.now, view.mesh.plane, view.fit, view.model, s, view.mesh.extent->fastest,
-                     0.1 * std::min(view.size[0], view.size[1]), std::move(taken));
+                     0.1 * std::min(view.size[0], view.size[1]), std::move(taken), std::move(corners));
 }
 
 const Fit& LiveView::fit() const { return impl_->fit; }

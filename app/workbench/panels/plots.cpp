@@ -27,12 +27,6 @@ void flip(std::set<std::string>& names, const std::string& name) {
     if (names.erase(name) == 0) names.insert(name);
 }
 
-/// The history that a curve is of.
-Curves& curves_of(PlotsState& state, const CurveInfo& curve) { return curve.own ? *curve.own : state.curves; }
-
-/// Points that a rate is drawn with on so many pixels.
-int parts_of_rate(float width) { return std::max(1, static_cast<int>(0.5F * width)); }
-
 /// What a curve's name is about: the pair of contact plots is marked in the picture while it is pointed at.
 void point_at_pair(Workbench& w, const CurveInfo& curve) {
     if (!ImGui::IsItemHovered() || curve.own) return;
@@ -112,41 +106,6 @@ struct Axes {
     }
     [[nodiscard]] double time(float at) const { return from + (to - from) * (at - low.x) / (high.x - low.x); }
 };
-
-/// Least and greatest of what is shown, with a little room; zero is kept in sight when it is near.
-std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std::array<double, 2>& times,
-                                   float width) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    const auto include = [&](const MinMax& part) {
-        low = std::min(low, part.low);
-        high = std::max(high, part.high);
-    };
-    static thread_local std::vector<CurvePoint> points;
-    const auto look_at = [&](Curves& curves, std::size_t column) {
-        if (plot.rate) {
-            rates(curves, curves.column(column), times[0], times[1], parts_of_rate(width), rate_window(w),
-                  points);
-            for (const CurvePoint& point : points) include({0, point.value});
-            return;
-        }
-        const std::size_t begin = curves.row_at(times[0]),
-                          end = std::min(curves.rows(), curves.row_at(times[1]) + 1);
-        if (begin < end) include(curves.column(column).range(begin, end));
-    };
-    for (const CurveInfo& curve : plot.curves) {
-        if (!shown(w.plots, plot, curve)) continue;
-        look_at(curves_of(w.plots, curve), curve.column);
-        if (const auto column = reference_column(w, curve)) look_at(w.reference->curves, *column);
-        for (const BesideView& each : w.beside)
-            if (const auto column = beside_column(w, *each.run, curve)) look_at(each.run->curves(), *column);
-    }
-    if (!(low <= high)) return {0, 1};
-    if (low > 0 && low < 0.6 * high) low = 0;
-    if (high < 0 && high > 0.6 * low) high = 0;
-    const double span = high - low, least = 1e-9 * std::max(std::abs(low), std::abs(high));
-    const double room = span > least ? 0.06 * span : std::max(0.5 * std::abs(high), 1e-12);
-    return {low - room, high + room};
-}
 
 void draw_grid(ImDrawList& ink, const Axes& axes, double time_scale, const DisplayUnit& unit,
                bool time_labels) {
