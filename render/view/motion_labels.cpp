@@ -112,21 +112,25 @@ void paint_motion(Canvas& canvas, const Snapshot& snapshot, const Plane& plane, 
         const std::string label = snapshot.setup->mesh.bodies[b].name + "  " +
                                   speed_text(speed, fastest, snapshot.setup->scene.units);
         const auto [width, height] = canvas.text_size(label, style);
-        auto places = places_around(box, {width, height}, 12 * scale);
-        const auto near = places.size();
-        add_places_at_sides(box, {width, height}, area, 6 * scale, places);
-        const auto strikes_out = [&](const Rect& candidate) {
+        const auto over_words = [&](const Rect& candidate) {
+            return std::any_of(words.begin(), words.end(),
+                               [&](const Rect& rect) { return rect.overlaps(candidate); });
+        };
+        const auto leads_over_words = [&](const Rect& candidate) {
             const auto leader = leader_of(candidate, cx, cy, scale);
             return std::any_of(words.begin(), words.end(),
                                [&](const Rect& rect) { return crosses(leader, rect); });
         };
-        places.erase(
-            std::remove_if(places.begin() + static_cast<std::ptrdiff_t>(near), places.end(), strikes_out),
-            places.end());
-        const Rect place = places[choose_place(places, inside, taken)];
+        auto places = places_around(box, {width, height}, 12 * scale);
+        Rect place = places[choose_place(places, inside, taken)];
+        if (letters < 1 || over_words(place)) {
+            const auto near = static_cast<std::ptrdiff_t>(places.size());
+            add_places_at_sides(box, {width, height}, area, 6 * scale, places);
+            places.erase(std::remove_if(places.begin() + near, places.end(), leads_over_words), places.end());
+            place = places[choose_place(places, inside, taken)];
+        }
+        const bool readable = !over_words(place);
         const Rect plate{place.x - 4 * scale, place.y - 2 * scale, width + 8 * scale, height + 4 * scale};
-        const bool readable =
-            std::none_of(words.begin(), words.end(), [&](const Rect& rect) { return rect.overlaps(place); });
         if (readable) {
             const auto [from_x, from_y, to_x, to_y] = leader_of(place, cx, cy, scale);
             canvas.line(from_x, from_y, to_x, to_y, ink::white, 2.6 * scale);
