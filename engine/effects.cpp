@@ -57,16 +57,27 @@ std::vector<EffectInfo> effects_of(const Scene& scene) {
                        "about 30 flops a loaded side"});
     effects.push_back({"prescribed velocity", any_body([](const Body& b) { return !b.prescribed.empty(); }),
                        "about 20 flops a prescribed node; 16 bytes a node"});
-    const bool joint = scene.contact_solver.scheme == ContactScheme::joint;
+    const auto pairs_by = [&](ContactScheme scheme) {
+        return !scene.contacts.empty() && scene.contact_solver.scheme == scheme;
+    };
     effects.push_back(
-        {"contact: projection, pair by pair", !scene.contacts.empty() && !joint,
+        {"contact: projection, pair by pair", pairs_by(ContactScheme::projection),
          "motion bound on each surface node; search, solve and correction of penetrating nodes only"});
     effects.push_back(
-        {"contact: joint problem", !scene.contacts.empty() && joint,
+        {"contact: joint problem", pairs_by(ContactScheme::joint),
          "motion bound on each surface node; search of near nodes; one factorisation of the rows in touch"});
+    effects.push_back({"contact: penalty", pairs_by(ContactScheme::penalty),
+                       "motion bound on each surface node; search of near nodes; about 60 flops a row in "
+                       "reach; lowers the critical step"});
+    effects.push_back({"contact: bipenalty", pairs_by(ContactScheme::bipenalty),
+                       "as the joint problem, of the rows that are inside"});
     effects.push_back(
         {"friction", has_friction(scene),
          "a second problem for the tangents of the rows with friction, solved in turn with the first"});
+    effects.push_back({"viscosity of contact layers",
+                       std::any_of(scene.contacts.begin(), scene.contacts.end(),
+                                   [](const ContactPair& pair) { return pair.layer.has_value(); }),
+                       "about 150 flops an element of the layers; lowers the critical step"});
     effects.push_back(
         {"lagged stresses", scene.lagged, "a second copy of the node positions: 48 bytes a node"});
     effects.push_back({"probes", !scene.probes.empty(), "one stress or node reading a probe and step"});

@@ -49,12 +49,15 @@ Solver::Solver(Scene scene, int threads)
     scale_ = s.geometry == Geometry::axisymmetric ? 2 * std::numbers::pi : s.thickness;
     for (std::size_t body = 0; body < s.bodies.size(); ++body)
         batches_.push_back(make_batch(s, setup_->mesh, static_cast<std::int32_t>(body), imposed_.held));
+    layers_ = LayerViscosity(s, setup_->mesh, batches_);
+    state_.layer_pressure.assign(layers_.size(), 0);
     averages_volumes_ = std::any_of(batches_.begin(), batches_.end(),
                                     [](const Batch& batch) { return batch.kernel.volumes != nullptr; });
     build_nodes();
     build_chunks();
     contact_ = make_contact_method(s, setup_->mesh, contact_scheme_);
     pairs_.resize(s.contacts.size());
+    for (std::size_t p = 0; p < pairs_.size(); ++p) pairs_[p].self = is_self_contact(s.contacts[p]);
     for (Pair& pair : pairs_) pair.flags.assign(setup_->mesh.nodes.size(), 0);
     if (!loads_.none()) external_.assign(2 * mass_.size(), 0);
     if (!imposed_.prescribed.empty()) {
@@ -84,6 +87,7 @@ Solver::Solver(Scene scene, int threads)
     statistics_.pairs.resize(pairs_.size());
     highest_.resize(static_cast<std::size_t>(team_.size()));
     evaluate_critical_step();
+    look_ahead_for_springs();
     check_fixed_step(in_force_->step);
     // Node by node: held and driven nodes do not have their body's velocity; nodes of walls belong to no
     // body.
@@ -225,7 +229,7 @@ void Solver::take_up(const InFlight& values) {
         }
         material.hourglass = of.hourglass;
     }
-    if (contact_) contact_->change(values.friction, values.contact_solver.recovery_speed);
+    if (contact_) contact_->change(values.friction, values.contact_solver);
     if (!loads_.none()) {
         Scene scene = setup_->scene;
         for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -247,12 +251,13 @@ void Solver::change(std::shared_ptr<const InFlight> values) {
         in_force_.swap(values);
         throw;
     }
+    if (state_.step == 0) look_ahead_for_springs();
 }
 
 void Solver::make_contact(ContactScheme scheme) {
     contact_scheme_ = scheme;
     contact_ = make_contact_method(setup_->scene, setup_->mesh, scheme);
-    contact_->change(in_force_->friction, in_force_->contact_solver.recovery_speed);
+    contact_->change(in_force_->friction, in_force_->contact_solver);
 }
 
 /// The new method knows positions and velocities only, as at the start of a run, and which master nodes had
@@ -262,6 +267,25 @@ void Solver::switch_contact() {
     std::vector<std::vector<std::int32_t>> active;
     for (const Pair& pair : pairs_) active.push_back(pair.active);
     contact_->restart(active);
+}
+
+/// The springs of surfaces that touch from the start count in the first step, before there were any rows.
+void Solver::look_ahead_for_springs() {
+    state_.contact_frequency = 0;
+    if (!contact_) return;
+    if (contact_scheme_ != in_force_->contact_solver.scheme) switch_contact();
+    if (contact_scheme_ != ContactScheme::penalty) return;
+    AlignedVector<Node> nodes = state_.nodes;
+    for (Node& node : nodes)
+        for (std::size_t d = 0; d < 2; ++d) node.x[d] += state_.critical_step * node.v[d];
+    RunStatistics unused;
+    PredictedMotion motion{state_.critical_step, state_.critical_step,    nodes.data(),
+                           inverse_mass_.data(), contact_impulse_.data(), &touched_};
+    contact_->resolve(motion, unused);
+    state_.contact_frequency = motion.squared_frequency;
+    std::fill(contact_impulse_.begin(), contact_impulse_.end(), 0.0);
+    touched_.clear();
+    contact_->restart(std::vector<std::vector<std::int32_t>>(pairs_.size()));
 }
 
 bool Solver::finished() const { return state_.time >= setup_->scene.duration * (1 - 1e-12); }

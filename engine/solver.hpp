@@ -12,6 +12,7 @@
 #include "dynamics/loads.hpp"
 #include "dynamics/team.hpp"
 #include "elements/batch.hpp"
+#include "elements/layer_viscosity.hpp"
 #include "run/history.hpp"
 #include "run/in_flight.hpp"
 #include "run/phase_timer.hpp"
@@ -38,8 +39,11 @@ struct SolverState {
     std::shared_ptr<const InFlight> in_force;     ///< values that can change in flight; filled by save()
     std::shared_ptr<const InFlight> critical_of;  ///< the values that critical_step was found with
     double time = 0, dt = 0, critical_step = 0;
+    double contact_frequency = 0;        ///< squared, that springs of contact add to the elements' [1/time^2]
+    std::vector<double> layer_pressure;  ///< of the viscosity in contact layers, per element of them [stress]
     std::int64_t step = 0;
-    double strain_since_critical = 1;  ///< bound of the strain of any element since critical_step was evaluated
+    double strain_since_critical =
+        1;  ///< bound of the strain of any element since critical_step was evaluated
 };
 
 /// Why a run cannot go on.
@@ -105,6 +109,7 @@ class Solver {
     /// What is counted about a pair.
     struct Pair {
         PairState state;
+        bool self = false;                 // is_self_contact
         std::vector<std::int32_t> active;  // owners of rows with force in the last step
         std::vector<char> flags;           // per owner: 1 had force in the last step, 2 has it in this one
     };
@@ -115,8 +120,10 @@ class Solver {
     void take_up(const InFlight& values);
     void make_contact(ContactScheme scheme);  // with the values in force
     void switch_contact();
+    void look_ahead_for_springs();
     [[nodiscard]] bool bounds_elements(const InFlight& values) const;
     [[nodiscard]] double critical_step_of_elements();
+    [[nodiscard]] double critical_step_with_contact() const;
 
     // The phases of a step, in order.
     void read_probes();
@@ -132,11 +139,13 @@ class Solver {
     void impose_velocities(NodeSums& sums);
     void stresses_at_predicted_positions();
     void integrate_elements(const Node* nodes);
+    void damp_contact_layers(const Node* nodes);
     void average_nodal_volumes(const Node* nodes);
     void evaluate_critical_step();
     void start_half_step_early();
     void account_external_impulse();
-    /// Of a pair's rows: resultant on the master body, and works of the force in the step around it.
+    /// Of a pair's rows: resultant on the master body (of a body with itself, where action and reaction would
+    /// cancel, the sum of their magnitudes by components), and works of the force in the step around it.
     struct RowSums {
         std::array<double, 2> force{0, 0};
         double work_before = 0, work = 0;
@@ -145,7 +154,7 @@ class Solver {
     struct ContactWorks {
         double contact = 0, friction = 0;
     };
-    [[nodiscard]] RowSums sum_rows(const RowSpan& rows) const;
+    [[nodiscard]] RowSums sum_rows(const RowSpan& rows, bool self) const;
     ContactWorks account_contacts(NodeSums& sums);
     void count_events(std::size_t pair);
     void fill_history_row();
@@ -170,6 +179,7 @@ class Solver {
     Team team_;
     SolverState state_;
     std::vector<Batch> batches_;
+    LayerViscosity layers_;
     std::vector<NodeChunk> node_chunks_;
     std::vector<ElementChunk> element_chunks_;
     std::vector<NodeSums> node_sums_;
@@ -204,6 +214,7 @@ class Solver {
     std::vector<double> row_;
     RunStatistics statistics_;
     double kick_ = 0;
+    double stored_in_contact_ = 0;   // by its springs in this step, per radian or unit thickness
     bool averages_volumes_ = false;  // there are averaged triangles
 };
 

@@ -76,12 +76,14 @@ std::optional<Divergence> Solver::choose_step(PhaseTimer& timer) {
     }
     if (state_.critical_of != in_force_) state_.critical_of = in_force_;
     const StepSize& size = in_force_->step;
-    const double dt = size.fixed ? *size.fixed : size.courant * state_.critical_step;
-    if (dt > state_.critical_step) {
+    const double critical = critical_step_with_contact();
+    const double dt = size.fixed ? *size.fixed : size.courant * critical;
+    if (dt > critical) {
         const auto unit = setup_->scene.units.display(Quantity::time, dt);
-        return Divergence{
-            fmt::format("the critical step fell to {:.4g} {}, below the fixed step of {:.4g} {}",
-                        state_.critical_step * unit.scale, unit.label, dt * unit.scale, unit.label)};
+        return Divergence{fmt::format(
+            "the critical step fell to {:.4g} {}{}, below the fixed step of {:.4g} {}", critical * unit.scale,
+            unit.label, critical < state_.critical_step ? " with the springs of contact" : "",
+            dt * unit.scale, unit.label)};
     }
     // An element on its way to nothing takes the time step along: the run would never end.
     if (state_.critical_step < 1e-6 * statistics_.critical_step_initial) {
@@ -100,6 +102,16 @@ std::optional<Divergence> Solver::choose_step(PhaseTimer& timer) {
     return std::nullopt;
 }
 
+/// Frequencies of elements and springs: the square of the highest of both together is at most their sum. And
+/// a spring that takes hold between two steps gives back at most what it took up as long as it alone swings
+/// no faster than 1/dt (at 2/dt a node could leave three times as fast as it came).
+double Solver::critical_step_with_contact() const {
+    if (state_.contact_frequency == 0) return state_.critical_step;
+    const double of_elements = 2 / state_.critical_step;
+    return 2 / std::sqrt(std::max(of_elements * of_elements, 3 * state_.contact_frequency) +
+                         state_.contact_frequency);
+}
+
 double Solver::critical_step_of_elements() {
     const Node* nodes = state_.nodes.data();
     average_nodal_volumes(nodes);
@@ -113,7 +125,9 @@ double Solver::critical_step_of_elements() {
             most = std::max(most, batch.kernel.frequency(batch, nodes, chunk.begin, chunk.end));
         }
     });
-    return 2 / std::sqrt(*std::max_element(highest_.begin(), highest_.end()));
+    double highest = *std::max_element(highest_.begin(), highest_.end());
+    if (!layers_.none()) highest = std::max(highest, layers_.squared_frequency(batches_, nodes));
+    return 2 / std::sqrt(highest);
 }
 
 void Solver::evaluate_critical_step() {
@@ -299,9 +313,15 @@ void Solver::stresses_at_predicted_positions() {
 void Solver::resolve_contacts() {
     if (!contact_) return;
     if (contact_scheme_ != in_force_->contact_solver.scheme) switch_contact();
+    const auto data = [](const std::vector<double>& of) { return of.empty() ? nullptr : of.data(); };
+    const ForcesOnNodes forces{inverse_mass_.data(), internal_.data(), data(external_),
+                               data(imposed_change_)};
     PredictedMotion motion{
-        state_.dt, kick_, state_.nodes.data(), inverse_mass_.data(), contact_impulse_.data(), &touched_};
+        state_.dt, kick_,  state_.nodes.data(), inverse_mass_.data(), contact_impulse_.data(),
+        &touched_, &forces};
     contact_->resolve(motion, statistics_);
+    state_.contact_frequency = motion.squared_frequency;
+    stored_in_contact_ = motion.stored;
 }
 
 std::array<double, 2> Solver::velocity_before(std::int32_t node) const {
@@ -338,7 +358,7 @@ void Solver::account_external_impulse() {
     statistics_.external_impulse_gross += scale_ * gross;
 }
 
-Solver::RowSums Solver::sum_rows(const RowSpan& rows) const {
+Solver::RowSums Solver::sum_rows(const RowSpan& rows, bool self) const {
     RowSums sums;
     for (const ContactRow& row : rows) {
         if (row.force == 0) continue;
@@ -352,7 +372,10 @@ Solver::RowSums Solver::sum_rows(const RowSpan& rows) const {
         sums.work_before += half_impulse * rate_before;
         sums.work += half_impulse * (rate_before + rate_after);
         for (const RowTerm& term : terms.first(static_cast<std::size_t>(row.master_terms)))
-            for (std::size_t d = 0; d < 2; ++d) sums.force[d] += scale_ * row.force * term.g[d];
+            for (std::size_t d = 0; d < 2; ++d) {
+                const double force = scale_ * row.force * term.g[d];
+                sums.force[d] += self ? std::abs(force) : force;
+            }
         ++sums.active;
     }
     return sums;
@@ -371,7 +394,7 @@ Solver::ContactWorks Solver::account_contacts(NodeSums& sums) {
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
         PairStatistics& statistics = statistics_.pairs[p];
-        const RowSums contact = sum_rows(contact_->rows(p));
+        const RowSums contact = sum_rows(contact_->rows(p), pair.self);
         works_before.contact += contact.work_before;
         ledger.contact += contact.work;
         ledger.pair_work[p] += contact.work;
@@ -379,7 +402,7 @@ Solver::ContactWorks Solver::account_contacts(NodeSums& sums) {
         pair.state.force = contact.force;
         pair.state.active = contact.active;
         if (!ledger.pair_friction_work.empty()) {
-            const RowSums friction = sum_rows(contact_->friction_rows(p));
+            const RowSums friction = sum_rows(contact_->friction_rows(p), pair.self);
             works_before.friction += friction.work_before;
             ledger.friction += friction.work;
             ledger.pair_friction_work[p] += friction.work;
@@ -463,7 +486,7 @@ std::optional<Divergence> Solver::close_ledger() {
     const double loads = ledger.loads + half * sums_.external_before;
     ledger.internal += half * (sums_.internal_before + sums_.internal_after);
     ledger.loads += half * (sums_.external_before + sums_.external_after);
-    const double kinetic = 0.5 * sums_.kinetic, total = kinetic + internal - loads;
+    const double kinetic = 0.5 * sums_.kinetic, total = kinetic + internal - loads + stored_in_contact_;
     ledger.largest_kinetic = std::max(ledger.largest_kinetic, kinetic);
     ledger.growth = std::max(ledger.growth, total - ledger.lowest);
     ledger.lowest = std::min(ledger.lowest, total);
@@ -556,6 +579,15 @@ void Solver::integrate_elements(const Node* nodes) {
             element_sums_[k] = {};
             batch.kernel.forces(batch, nodes, state_.dt, chunk.begin, chunk.end, element_sums_[k]);
         }
+    });
+    if (!layers_.none()) damp_contact_layers(nodes);
+}
+
+void Solver::damp_contact_layers(const Node* nodes) {
+    Ledger& ledger = state_.ledger;
+    layers_.add(batches_, nodes, state_.dt, state_.layer_pressure, [&](std::size_t body, double work) {
+        ledger.viscous += work;
+        ledger.body_works[body].viscous += work;
     });
 }
 

@@ -6,11 +6,31 @@
 
 namespace percuss {
 
+namespace {
+
+template <class Normal>
+std::unique_ptr<ContactMethod> make(const Scene& scene, const Mesh& mesh) {
+    if (has_friction(scene)) return std::make_unique<FrictionalContact<Normal>>(scene, mesh);
+    return std::make_unique<Normal>(scene, mesh);
+}
+
+}  // namespace
+
 std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Mesh& mesh,
                                                    ContactScheme scheme) {
     if (scene.contacts.empty()) return nullptr;
-    if (has_friction(scene)) return std::make_unique<FrictionalContact>(scene, mesh);
-    if (scheme == ContactScheme::joint) return std::make_unique<JointContact>(scene, mesh);
+    switch (scheme) {
+        case ContactScheme::joint:
+            return make<JointContact>(scene, mesh);
+        case ContactScheme::penalty:
+            return make<PenaltyContact>(scene, mesh);
+        case ContactScheme::bipenalty:
+            return make<BipenaltyContact>(scene, mesh);
+        case ContactScheme::projection:
+            break;
+    }
+    // Friction needs the joint problem; a run with it cannot leave it.
+    if (has_friction(scene)) return make<JointContact>(scene, mesh);
     return std::make_unique<PairByPair>(scene, mesh);
 }
 

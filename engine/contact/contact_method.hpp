@@ -37,8 +37,7 @@ class ContactMethod {
     /// nodes of each pair that had force in the last one.
     virtual void restart(const std::vector<std::vector<std::int32_t>>& active) = 0;
     /// Goes on with other values. @param friction coefficient per pair, above 0 where it was before
-    /// @param recovery_speed as ContactSolver's [velocity]
-    virtual void change(const std::vector<double>& friction, double recovery_speed) = 0;
+    virtual void change(const std::vector<double>& friction, const ContactSolver& solver) = 0;
 };
 
 /// The method for a scene with this scheme; null when it has no contact pairs.

@@ -26,7 +26,7 @@ class PairByPair final : public ContactMethod {
     [[nodiscard]] std::unique_ptr<ContactMethod> copy() const override;
     void become(const ContactMethod& other) override;
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
-    void change(const std::vector<double>&, double) override {}  // it has no such values
+    void change(const std::vector<double>&, const ContactSolver&) override {}  // it has no such values
 
   private:
     PairByPair() = default;

@@ -25,6 +25,7 @@ struct ContactRow {
     std::int32_t key = 0;    ///< of the row within its pair, by which it is known from step to step
     std::int32_t side = 0;   ///< that keeps it out, within its surface; -1: several
     double penetration = 0;  ///< P of the predicted motion [length]
+    double margin = 0;       ///< the row bears force only if it would close by more than this [length]
     double force = 0;        ///< C, per radian or unit thickness [force]
 };
 

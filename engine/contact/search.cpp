@@ -136,7 +136,7 @@ PenetrationSearch::Closest PenetrationSearch::closest_side(const Node* nodes, co
     if (memory.side < 0) return {-1, infinity};
     const Side& middle = slave_.sides[static_cast<std::size_t>(memory.side)];
     const auto other = tree_.nearest(nodes, slave_.sides, x[0], x[1], slave_travelled_,
-                                     {middle.previous, memory.side, middle.next});
+                                     SidesOtherThan{{middle.previous, memory.side, middle.next}});
     memory.others_from = travelled_ + other.distance;
     return closest_of_neighbours(nodes, x, memory.side);
 }

@@ -28,12 +28,12 @@ class MeshCheck {
     void check_pair(const ContactPair& pair) const {
         if (const Wall* wall = find_wall(scene_, pair.slave.body)) return check_wall(pair, *wall);
         const auto &master = *bodies_.at(pair.master.body), &slave = *bodies_.at(pair.slave.body);
-        if (&master == &slave) check_disjoint(pair, master);
+        if (&master == &slave && !pair.by_bodies) check_disjoint(pair, master);
         const double tolerance = 1e-9 * std::min(sides_.at(master.name), sides_.at(slave.name));
         const bool axisymmetric = scene_.geometry == Geometry::axisymmetric;
         check_overlap(pair, master, slave,
                       find_overlap(mesh_, master, pair.master.edge, slave, axisymmetric, tolerance));
-        if (pair.by_bodies)
+        if (pair.by_bodies && &master != &slave)
             check_overlap(pair, slave, master,
                           find_overlap(mesh_, slave, "", master, axisymmetric, tolerance));
     }
@@ -63,7 +63,7 @@ class MeshCheck {
     /// The joint problem remembers an overlap that is small against the cells, such as that of the chords of
     /// curved faces; a deeper one is a slip of the scene.
     [[nodiscard]] double most_overlap(const MeshBody& one, const MeshBody& other) const {
-        if (scene_.contact_solver.scheme != ContactScheme::joint) return 0;
+        if (scene_.contact_solver.scheme == ContactScheme::projection) return 0;
         return 0.1 * std::min(sides_.at(one.name), sides_.at(other.name));
     }
 

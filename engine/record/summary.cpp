@@ -90,11 +90,27 @@ Json contacts(const Scene& scene, const RunStatistics& statistics, const History
     return result;
 }
 
+const char* name_of(ContactScheme scheme) {
+    switch (scheme) {
+        case ContactScheme::joint:
+            return "joint";
+        case ContactScheme::penalty:
+            return "penalty";
+        case ContactScheme::bipenalty:
+            return "bipenalty";
+        case ContactScheme::projection:
+            break;
+    }
+    return "projection";
+}
+
 Json contact_solver(const Scene& scene, const RunStatistics& statistics) {
     const ContactSolverStatistics& s = statistics.contact_solver;
     const auto problems = static_cast<double>(s.problems);
     if (scene.contact_solver.scheme == ContactScheme::projection) return {{"scheme", "projection"}};
-    Json result{{"scheme", "joint"},
+    if (scene.contact_solver.scheme == ContactScheme::penalty && !has_friction(scene))
+        return {{"scheme", "penalty"}};
+    Json result{{"scheme", name_of(scene.contact_solver.scheme)},
                 {"problems", s.problems},
                 {"rows_mean", ratio(static_cast<double>(s.rows), problems)},
                 {"rows_max", s.most_rows},

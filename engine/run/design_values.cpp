@@ -53,10 +53,11 @@ class Collector {
         value.group = group_;
         value.title = "contact scheme";
         value.help =
-            "projection: the paper's, pair by pair. joint: one problem for all pairs that share nodes.";
-        value.choices = {"projection", "joint"};
-        const bool joint = scene_->contact_solver.scheme == ContactScheme::joint;
-        value.choice = value.choices[joint ? 1 : 0];
+            "projection: the paper's, pair by pair. joint: one problem for all pairs that share nodes. "
+            "penalty: "
+            "springs. bipenalty: springs with inertia.";
+        value.choices = {"projection", "joint", "penalty", "bipenalty"};
+        value.choice = value.choices[static_cast<std::size_t>(scene_->contact_solver.scheme)];
         value.expression = expression(value.key);
         value.effect = ChangeEffect::next_step;
         values_.push_back(std::move(value));
@@ -145,6 +146,11 @@ void add_run(Collector& list, const Scene& scene) {
         list.add("contact_solver.recovery_speed", "recovery speed", Quantity::velocity, {}, 0,
                  "A penetration is taken back no faster than this.",
                  [](Scene& s) -> double& { return s.contact_solver.recovery_speed; });
+    if (scene.contact_solver.scheme == ContactScheme::penalty ||
+        scene.contact_solver.scheme == ContactScheme::bipenalty)
+        list.add("contact_solver.penalty", "penalty", Quantity::dimensionless, {{0.01, 10.0}}, 0,
+                 "Springs of contact as a part of the stiffness of the elements behind it.",
+                 [](Scene& s) -> double& { return s.contact_solver.penalty; });
 }
 
 void add_law(Collector& list, const std::string& key, std::size_t m, const VoceHardening& law) {
@@ -256,9 +262,11 @@ void add_bodies(Collector& list, const Scene& scene) {
 }
 
 void add_contacts(Collector& list, const Scene& scene) {
-    if (scene.contact_solver.scheme != ContactScheme::joint) return;  // the other one knows no friction
+    if (scene.contact_solver.scheme == ContactScheme::projection) return;  // it knows no friction
+    std::set<std::string> tables;
     for (std::size_t p = 0; p < scene.contacts.size(); ++p) {
-        const std::string& name = scene.contacts[p].name;
+        const std::string& name = scene.contacts[p].table;
+        if (!tables.insert(name).second) continue;
         list.begin("contact " + name);
         list.add("contact." + name + ".friction", "friction", Quantity::dimensionless, {{0.0, 1.0}}, 0,
                  "Coulomb's coefficient; from 0 or to 0 the run begins anew.",

@@ -35,7 +35,8 @@ struct Energies {
     double internal = 0;   ///< work of all internal nodal forces: strain + hourglass + viscous + plastic
     double hourglass = 0;  ///< part of internal
     double viscous = 0;    ///< part of internal
-    double contact = 0;  ///< work done on the bodies by contact forces (negative: energy lost at the contact), without friction
+    double contact = 0;    ///< work done on the bodies by contact forces (negative: energy lost at the
+                           ///< contact), without friction
     double external =
         0;  ///< E of the paper: initial kinetic energy + work of loads, body forces, prescribed motion
     double plastic = 0;   ///< part of internal
@@ -45,10 +46,11 @@ struct Energies {
 };
 
 struct PairState {
-    std::array<double, 2> force{
-        0, 0};                ///< resultant on the master body; radial = sum of radial components [force]
-    std::int32_t active = 0;  ///< master nodes in contact
-    double penetration = 0;   ///< largest penetration left after the correction [length]
+    /// Resultant on the master body; radial = sum of radial components. Of a body with itself: the sum of the
+    /// magnitudes of each component, for there the resultant is nothing [force].
+    std::array<double, 2> force{0, 0};
+    std::int32_t active = 0;               ///< master nodes in contact
+    double penetration = 0;                ///< largest penetration left after the correction [length]
     std::array<double, 2> friction{0, 0};  ///< part of force; 0 in runs read from a file [force]
     std::int32_t sticking = 0;             ///< of the active nodes; likewise
 };
@@ -80,12 +82,12 @@ struct Snapshot {
     std::vector<double> yield_stress;    ///< likewise; infinite in elastic bodies [stress]
     std::vector<double> temperature;     ///< one per cell; empty when no material heats [temperature]
     std::vector<ContactForce> contact_forces;
-    std::vector<PairState> pairs;   ///< in the order of scene.contacts
-    std::vector<BodyState> bodies;  ///< in the order of scene.bodies
+    std::vector<PairState> pairs;             ///< in the order of scene.contacts
+    std::vector<BodyState> bodies;            ///< in the order of scene.bodies
     std::vector<BodyEnergies> body_energies;  ///< likewise; empty in runs recorded before they existed
     Energies energy;
     RunStatus status = RunStatus::paused;
-    std::string message;  ///< why the run paused, when it diverged
+    std::string message;            ///< why the run paused, when it diverged
     std::int32_t failed_cell = -1;  ///< the element that the message names, if any
 };
 

@@ -1,6 +1,7 @@
 #include "scene/named_schemes.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "scene/parse.hpp"
 
@@ -10,17 +11,12 @@ namespace {
 constexpr std::string_view each_pair = "contact.*.";
 
 /// A scheme sets all that another one may have set, so that any can follow any.
-NamedScheme projection(const char* name, const char* lagged, const char* sign, const char* explanation) {
+NamedScheme scheme(const char* name, const char* solver, const char* rows, const char* level,
+                   const char* explanation, const char* sign = "restricted", const char* lagged = "false") {
     return {name,
-            {"contact_solver.scheme=projection", std::string("contact.*.sign=") + sign,
+            {std::string("contact_solver.scheme=") + solver, std::string("contact.*.scheme=") + rows,
+             std::string("contact.*.level=") + level, std::string("contact.*.sign=") + sign,
              std::string("model.lagged=") + lagged},
-            explanation};
-}
-
-NamedScheme joint(const char* name, const char* rows, const char* explanation) {
-    return {name,
-            {"contact_solver.scheme=joint", "contact.*.sign=restricted", "model.lagged=false",
-             std::string("contact.*.scheme=") + rows},
             explanation};
 }
 
@@ -28,17 +24,25 @@ NamedScheme joint(const char* name, const char* rows, const char* explanation) {
 
 const std::vector<NamedScheme>& named_schemes() {
     static const std::vector<NamedScheme> table{
-        projection("lagged", "true", "restricted",
-                   "projection with stresses taken before the correction; it chatters: a teaching mode"),
-        projection("unrestricted", "false", "unrestricted",
-                   "projection by the paper's equations as they stand: contact may pull"),
-        projection("projection", "false", "restricted",
-                   "the paper's nodal projection, pair by pair; contact only pushes"),
-        joint("joint", "node-to-side",
-              "all pairs in one nonnegative problem: master nodes out of slave sides"),
-        joint("symmetric", "symmetric", "the same with nodes of both out of sides of the other: no roles"),
-        joint("segment-to-segment", "segment-to-segment",
-              "the same with mean gaps of overlapping sides (mortar), and guards for nodes"),
+        scheme("lagged", "projection", "node-to-side", "position",
+               "projection with stresses taken before the correction; it chatters: a teaching mode",
+               "restricted", "true"),
+        scheme("unrestricted", "projection", "node-to-side", "position",
+               "projection by the paper's equations as they stand: contact may pull", "unrestricted"),
+        scheme("projection", "projection", "node-to-side", "position",
+               "the paper's nodal projection, pair by pair; contact only pushes"),
+        scheme("joint", "joint", "node-to-side", "position",
+               "all pairs in one nonnegative problem: master nodes out of slave sides"),
+        scheme("symmetric", "joint", "symmetric", "position",
+               "the same with nodes of both out of sides of the other: no roles"),
+        scheme("segment-to-segment", "joint", "segment-to-segment", "position",
+               "the same with mean gaps of overlapping sides (mortar), and guards for nodes"),
+        scheme("velocity", "joint", "symmetric", "velocity",
+               "symmetric at the level of velocities: what would close in the step stops where it is"),
+        scheme("penalty", "penalty", "symmetric", "position",
+               "springs against penetration on symmetric rows"),
+        scheme("bipenalty", "bipenalty", "symmetric", "position",
+               "the same springs with inertia, which spare the critical step"),
     };
     return table;
 }
@@ -63,8 +67,10 @@ std::vector<std::string> scheme_overrides(const NamedScheme& scheme, const Scene
             overrides.push_back(setting);
             continue;
         }
+        std::set<std::string> tables;
         for (const ContactPair& pair : scene.contacts)
-            overrides.push_back("contact." + pair.name + "." + setting.substr(each_pair.size()));
+            if (tables.insert(pair.table).second)
+                overrides.push_back("contact." + pair.table + "." + setting.substr(each_pair.size()));
     }
     return overrides;
 }

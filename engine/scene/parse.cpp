@@ -28,11 +28,25 @@ toml::table parse_toml(std::string_view text, const std::string& name, Faults& f
     }
 }
 
+/// contact = "all" is short for one [[contact]] of all bodies. It is parsed from a text in which it stands at
+/// the place of the short form, where messages about it then point.
+void spell_out_contact(toml::table& tree) {
+    const toml::node* contact = tree.get("contact");
+    if (!contact || contact->value<std::string_view>() != "all") return;
+    const toml::source_region& region = contact->source();
+    auto spelt = toml::parse(
+        fmt::format("{}{:{}}[{{ name = \"all\", bodies = \"all\" }}]",
+                    std::string(region.begin.line - 1, '\n'), "contact =", region.begin.column - 1),
+        region.path ? *region.path : std::string());
+    tree.insert_or_assign("contact", std::move(*spelt.get("contact")));
+}
+
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
     Faults faults(name, overrides);
     auto tree = parse_toml(text, name, faults);
+    spell_out_contact(tree);
     apply_overrides(tree, overrides, faults);
     Scene scene;
     scene.file = name;

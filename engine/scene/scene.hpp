@@ -205,6 +205,8 @@ struct SurfaceName {
 enum class ContactScheme {
     projection,  ///< the paper's nodal projection, pair by pair in the order of the scene
     joint,       ///< one nonnegative problem for all pairs that share nodes
+    penalty,     ///< springs against penetration
+    bipenalty,   ///< the same with inertia, so that they do not lower the critical step
 };
 enum class ContactSign {
     restricted,    ///< no tensile contact force: C >= 0
@@ -218,22 +220,49 @@ enum class RowScheme {
     segment_to_segment,  ///< mean gaps of overlapping sides, with guards for nodes
 };
 
+/// What the rows of a pair in the joint problem ask of their gaps.
+enum class ContactLevel {
+    position,  ///< not to close further than to zero
+    velocity,  ///< not to close any further once they are closed, or would be within the step
+};
+
+/// Linear bulk viscosity in the elements next to the surfaces of a pair.
+struct ContactLayer {
+    double viscosity = 0;  ///< coefficient of rho c h |D| in compression
+    int layers = 3;        ///< of elements on either side
+    bool operator==(const ContactLayer&) const = default;
+};
+
 struct ContactPair {
     std::string name;
+    std::string table;  ///< name of the [[contact]] it is of; those of `bodies = "all"` share one
     SurfaceName master, slave;
     bool by_bodies =
         false;  ///< two bodies without roles: `master` is only the one that forces are counted on
-    RowScheme scheme = RowScheme::node_to_side;  ///< joint only
+    RowScheme scheme = RowScheme::node_to_side;   ///< joint only
+    ContactLevel level = ContactLevel::position;  ///< joint only
     ContactSign sign = ContactSign::restricted;
     double friction = 0;  ///< Coulomb's coefficient; 0: the pair slides freely
+    std::optional<ContactLayer> layer;
     Place place;
     bool operator==(const ContactPair&) const = default;
 };
+
+/// Whether the pair is a body's whole outline with itself: folds.
+[[nodiscard]] inline bool is_self_contact(const ContactPair& pair) {
+    return pair.by_bodies && pair.master.body == pair.slave.body;
+}
+
+/// What solves the nonnegative problem for the contact forces.
+enum class ForceSolver { active_set, gauss_seidel, conjugate_gradient };
 
 /// How the contact pairs are solved, all of them alike.
 struct ContactSolver {
     ContactScheme scheme = ContactScheme::projection;
     double recovery_speed = 1;  ///< joint: a penetration is taken back no faster than this [velocity]
+    ForceSolver solver = ForceSolver::active_set;  ///< joint, bipenalty
+    double penalty = 0.1;           ///< penalty, bipenalty: springs as parts of the stiffness of the elements
+    bool step_of_elements = false;  ///< penalty: its springs do not lower the step
     bool operator==(const ContactSolver&) const = default;
 };
 

@@ -62,6 +62,16 @@ inline const Kind kinds_of_runs[] = {
     {"corner_jointly", [] { return past_a_corner("joint"); }},
     {"corner_symmetrically", [] { return past_a_corner_by("symmetric"); }},
     {"corner_by_segments", [] { return past_a_corner_by("segment-to-segment"); }},
+    {"corner_at_velocity_level",
+     [] { return past_a_corner("joint", "bodies = [\"flyer\", \"block\"]\nlevel = \"velocity\"\n"); }},
+    {"corner_on_springs",
+     [] { return past_a_corner("penalty", "bodies = [\"flyer\", \"block\"]\nfriction = 0.2\n"); }},
+    {"corner_on_springs_with_inertia",
+     [] { return past_a_corner("bipenalty", "bodies = [\"flyer\", \"block\"]\n"); }},
+    {"corner_with_damped_layers",
+     [] {
+         return past_a_corner("joint", "bodies = [\"flyer\", \"block\"]\nlayer = { viscosity = 0.06 }\n");
+     }},
     {"nail_jointly", [] { return nail("joint"); }, 1500},
     {"nail_with_friction", [] { return nail("joint", "0.1"); }, 1500},
     {"nail_by_pairs", [] { return nail("projection"); }, 1500},

@@ -30,6 +30,9 @@ class Coupling {
     void assemble(const RowSpan& rows, std::span<const std::int32_t> chosen, const double* inverse_mass,
                   double factor);
 
+    /// Adds to the diagonal: the row at this place gives way by so much to a unit force.
+    void soften(std::int32_t place, double compliance) { matrix_.at(place, place) += compliance; }
+
     [[nodiscard]] const ProfileMatrix& matrix() const { return matrix_; }
     [[nodiscard]] std::span<const Group> groups() const { return groups_; }
     /// Per place in the matrix: which of the chosen rows stands there.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-
 namespace percuss {
 namespace {
 
@@ -15,13 +14,14 @@ constexpr int most_rounds = 50;
 
 }  // namespace
 
-FrictionalContact::FrictionalContact(const Scene& scene, const Mesh& mesh)
-    : JointContact(scene, mesh), tangential_(mesh.node_count(), wall_nodes(mesh)) {
+template <class Normal>
+FrictionalContact<Normal>::FrictionalContact(const Scene& scene, const Mesh& mesh)
+    : Normal(scene, mesh), tangential_(mesh.node_count(), wall_nodes(mesh)) {
     std::size_t rows = 0, terms = 0;
     for (const ContactPair& pair : scene.contacts) {
         pairs_.push_back({pair.friction});
         if (pair.friction == 0) continue;
-        const RowBuilder::Size size = size_of(pairs_.size() - 1);
+        const RowBuilder::Size size = this->size_of(pairs_.size() - 1);
         rows += size.rows;
         terms += size.terms;
     }
@@ -36,22 +36,26 @@ FrictionalContact::FrictionalContact(const Scene& scene, const Mesh& mesh)
     bounded_.reserve(rows, 32 * rows);
 }
 
-RowSpan FrictionalContact::friction_rows(std::size_t pair) const {
+template <class Normal>
+RowSpan FrictionalContact<Normal>::friction_rows(std::size_t pair) const {
     const Pair& p = pairs_[pair];
     return tangents_.part(p.tangents_begin, p.tangents_end);
 }
 
-void FrictionalContact::restart(const std::vector<std::vector<std::int32_t>>& active) {
-    JointContact::restart(active);
+template <class Normal>
+void FrictionalContact<Normal>::restart(const std::vector<std::vector<std::int32_t>>& active) {
+    Normal::restart(active);
     clear_tangents();
 }
 
-void FrictionalContact::change(const std::vector<double>& friction, double recovery_speed) {
-    JointContact::change(friction, recovery_speed);
+template <class Normal>
+void FrictionalContact<Normal>::change(const std::vector<double>& friction, const ContactSolver& solver) {
+    Normal::change(friction, solver);
     for (std::size_t p = 0; p < pairs_.size(); ++p) pairs_[p].friction = friction[p];
 }
 
-void FrictionalContact::clear_tangents() {
+template <class Normal>
+void FrictionalContact<Normal>::clear_tangents() {
     tangents_.clear();
     grips_.clear();
     for (Pair& pair : pairs_) {
@@ -60,25 +64,26 @@ void FrictionalContact::clear_tangents() {
     }
 }
 
-void FrictionalContact::solve(PredictedMotion& motion, ContactSolverStatistics& statistics) {
-    assemble(motion);
+template <class Normal>
+void FrictionalContact<Normal>::solve(PredictedMotion& motion, ContactSolverStatistics& statistics) {
+    this->assemble(motion);
     choose_tangents(motion);
     tangential_.assemble(tangents_.all(), all_, motion.inverse_mass, motion.dt * motion.kick);
     int round = 0;
     bool changed = true;
     while (changed && round < most_rounds) {
         ++round;
-        solve_forces(statistics);
-        clear_impulses(motion);
-        add_impulses(motion);
+        this->solve_forces(statistics);
+        this->clear_impulses(motion);
+        this->add_impulses(motion);
         solve_friction(motion);
-        clear_impulses(motion);
+        this->clear_impulses(motion);
         const RowSpan tangents = tangents_.all();
-        for (const ContactRow& tangent : tangents) add_impulse(tangents, tangent, motion);
-        const double deepest = deepest_penetration();
+        for (const ContactRow& tangent : tangents) this->add_impulse(tangents, tangent, motion);
+        const double deepest = this->deepest_penetration();
         changed = meet_friction(motion) > settled * deepest;
     }
-    add_impulses(motion);
+    this->add_impulses(motion);
     count_sticking();
     ++statistics.friction_solutions;
     statistics.friction_rounds += round;
@@ -87,13 +92,14 @@ void FrictionalContact::solve(PredictedMotion& motion, ContactSolverStatistics& 
 }
 
 /// Tangents of the chosen rows, with how far their nodes would slide back in the predicted motion.
-void FrictionalContact::choose_tangents(const PredictedMotion& motion) {
+template <class Normal>
+void FrictionalContact<Normal>::choose_tangents(const PredictedMotion& motion) {
     clear_tangents();
     auto k = chosen_.begin();
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
         pair.tangents_begin = tangents_.size();
-        for (; k != chosen_.end() && static_cast<std::size_t>(*k) < rows_end(p); ++k) {
+        for (; k != chosen_.end() && static_cast<std::size_t>(*k) < this->rows_end(p); ++k) {
             if (pair.friction == 0) continue;
             ContactRow& tangent = tangents_.add_turned(rows_.all(), rows_[static_cast<std::size_t>(*k)]);
             tangent.penetration = -motion.dt * along(tangents_.terms(tangent),
@@ -109,7 +115,8 @@ void FrictionalContact::choose_tangents(const PredictedMotion& motion) {
 }
 
 /// Friction forces for the present contact forces, whose impulses are on the nodes.
-void FrictionalContact::solve_friction(const PredictedMotion& motion) {
+template <class Normal>
+void FrictionalContact<Normal>::solve_friction(const PredictedMotion& motion) {
     const std::size_t count = tangents_.size();
     slip_.resize(count);
     limit_.resize(count);
@@ -132,12 +139,14 @@ void FrictionalContact::solve_friction(const PredictedMotion& motion) {
     }
 }
 
-/// What the contact forces have to prevent beside the friction forces, whose impulses are on the nodes.
+/// What the contact forces have to prevent beside the friction forces, whose impulses are on the nodes;
+/// nothing where they follow from the positions.
 /// @returns largest change of it [length].
-double FrictionalContact::meet_friction(const PredictedMotion& motion) {
+template <class Normal>
+double FrictionalContact<Normal>::meet_friction(const PredictedMotion& motion) {
     double most = 0;
-    for (std::size_t place = 0; place < chosen_.size(); ++place) {
-        const ContactRow& row = rows_[row_index(place)];
+    for (std::size_t place = 0; place < penetration_.size(); ++place) {
+        const ContactRow& row = rows_[this->row_index(place)];
         const double penetration = row.penetration - opening(rows_.terms(row), motion);
         most = std::max(most, std::abs(penetration - penetration_[place]));
         penetration_[place] = penetration;
@@ -145,12 +154,17 @@ double FrictionalContact::meet_friction(const PredictedMotion& motion) {
     return most;
 }
 
-void FrictionalContact::count_sticking() {
+template <class Normal>
+void FrictionalContact<Normal>::count_sticking() {
     for (Pair& pair : pairs_) {
         pair.sticking = 0;
         for (std::size_t t = pair.tangents_begin; t < pair.tangents_end; ++t)
             pair.sticking += grips_[t].sticks;
     }
 }
+
+template class FrictionalContact<JointContact>;
+template class FrictionalContact<PenaltyContact>;
+template class FrictionalContact<BipenaltyContact>;
 
 }  // namespace percuss

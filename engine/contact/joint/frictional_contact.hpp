@@ -3,7 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "contact/joint/bipenalty_contact.hpp"
 #include "contact/joint/joint_contact.hpp"
+#include "contact/joint/penalty_contact.hpp"
 
 namespace percuss {
 
@@ -18,7 +20,12 @@ namespace percuss {
 /// exactly, until the friction no longer changes what the contact forces have to prevent (Panagiotopoulos
 /// 1975, Ingenieur-Archiv 44, 421-432). Rows on one flat face come to that in one round, for friction does
 /// not move their nodes along the normal.
-class FrictionalContact final : public JointContact {
+///
+/// @tparam Normal makes the contact forces: JointContact, or a kind of it whose springs they are. Those
+/// know the contact forces beforehand or solve for them; friction is the same: the impulse that stops the
+/// slip, up to its limit, without a tangential spring.
+template <class Normal>
+class FrictionalContact final : public Normal {
   public:
     FrictionalContact(const Scene& scene, const Mesh& mesh);
 
@@ -31,9 +38,14 @@ class FrictionalContact final : public JointContact {
         *this = dynamic_cast<const FrictionalContact&>(other);
     }
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
-    void change(const std::vector<double>& friction, double recovery_speed) override;
+    void change(const std::vector<double>& friction, const ContactSolver& solver) override;
 
   private:
+    using Normal::chosen_;
+    using Normal::opening;
+    using Normal::penetration_;
+    using Normal::rows_;
+
     struct Pair {
         double friction = 0;  ///< coefficient
         std::size_t tangents_begin = 0, tangents_end = 0;
@@ -46,6 +58,10 @@ class FrictionalContact final : public JointContact {
         bool sticks;
     };
 
+    void choose_rows() override {
+        clear_tangents();  // those of the last step, should there be nothing to solve in this one
+        Normal::choose_rows();
+    }
     void solve(PredictedMotion& motion, ContactSolverStatistics& statistics) override;
     void clear_tangents();
     void choose_tangents(const PredictedMotion& motion);
@@ -62,5 +78,9 @@ class FrictionalContact final : public JointContact {
     std::vector<double> slip_, limit_, friction_;  ///< per place in the tangential matrix
     std::vector<char> standing_;
 };
+
+extern template class FrictionalContact<JointContact>;
+extern template class FrictionalContact<PenaltyContact>;
+extern template class FrictionalContact<BipenaltyContact>;
 
 }  // namespace percuss

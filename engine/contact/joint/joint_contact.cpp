@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "contact/joint/make_rows.hpp"
+#include "contact/solvers/conjugate_gradient.hpp"
+#include "contact/solvers/gauss_seidel.hpp"
 #include "dynamics/double2.hpp"
 #include "run/phase_timer.hpp"
 
@@ -14,19 +16,38 @@ namespace {
 /// A row outside the problem may close by this part of the deepest predicted penetration too far.
 constexpr double violation_tolerance = 1e-9;
 
+/// No gap of a row is (StepMotion::held).
+constexpr double not_held = -1;
+
+std::unique_ptr<NonnegativeSolver> make_solver(ForceSolver kind) {
+    switch (kind) {
+        case ForceSolver::gauss_seidel:
+            return std::make_unique<ProjectedGaussSeidel>();
+        case ForceSolver::conjugate_gradient:
+            return std::make_unique<ProjectedConjugateGradient>();
+        case ForceSolver::active_set:
+            break;
+    }
+    return std::make_unique<BoundedSolver>();
+}
+
 }  // namespace
 
-JointContact::JointContact(const Scene& scene, const Mesh& mesh)
+JointContact::JointContact(const Scene& scene, const Mesh& mesh, ConditionOf condition)
     : coupling_(mesh.node_count(), wall_nodes(mesh)),
       recovery_speed_(scene.contact_solver.recovery_speed),
-      listed_(static_cast<std::size_t>(mesh.node_count()), 0) {
+      listed_(static_cast<std::size_t>(mesh.node_count()), 0),
+      solver_(make_solver(scene.contact_solver.solver)),
+      solver_kind_(scene.contact_solver.solver) {
     std::size_t rows = 0, terms = 0;
     for (const ContactPair& pair : scene.contacts) {
         const PairSurfaces surfaces = pair_surfaces(scene, mesh, pair);
-        pairs_.push_back(
-            {make_rows(scene, mesh, pair), add_surface(surfaces.master), add_surface(surfaces.slave)});
+        pairs_.push_back({make_rows(scene, mesh, pair), condition ? condition : &position_level,
+                          add_surface(surfaces.master), add_surface(surfaces.slave)});
         const RowBuilder::Size size = pairs_.back().builder->size();
         pairs_.back().last.assign(size.keys, Last::not_in_problem);
+        if (!condition && pair.level == ContactLevel::velocity)
+            pairs_.back().held.assign(size.keys, not_held);
         rows += size.rows;
         terms += size.terms;
     }
@@ -38,7 +59,14 @@ JointContact::JointContact(const Scene& scene, const Mesh& mesh)
     force_.reserve(rows);
     standing_.reserve(rows);
     coupling_.reserve(rows, terms);
-    solver_.reserve(rows, 32 * rows);
+    solver_->reserve(rows, 32 * rows);
+}
+
+void JointContact::change(const std::vector<double>&, const ContactSolver& solver) {
+    recovery_speed_ = solver.recovery_speed;
+    if (solver.solver == solver_kind_) return;
+    solver_kind_ = solver.solver;
+    solver_ = AnyNonnegativeSolver(make_solver(solver_kind_));
 }
 
 std::size_t JointContact::add_surface(const Surface& surface) {
@@ -60,9 +88,12 @@ void JointContact::restart(const std::vector<std::vector<std::int32_t>>& active)
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
         pair.rows_begin = pair.rows_end = 0;
+        pair.left_open = 0;
+        std::fill(pair.held.begin(), pair.held.end(), not_held);
         pair.builder->restart(active[p]);
         std::fill(pair.last.begin(), pair.last.end(), Last::not_in_problem);
         for (const std::int32_t owner : active[p]) pair.last[static_cast<std::size_t>(owner)] = Last::pressed;
+        pair.remembers = !active[p].empty();
     }
 }
 
@@ -112,25 +143,36 @@ void JointContact::find(const PredictedMotion& motion) {
         pair.master_motion = motion.dt * std::sqrt(master);
         pair.slave_motion = motion.dt * std::sqrt(slave);
         pair.rows_begin = rows_.size();
-        pair.builder->find({motion.nodes, motion.dt, pair.relative, motion.dt * recovery_speed_}, rows_);
+        const double range = pair.relative * std::max(1.0, longest_step_ / motion.dt);
+        pair.builder->find(
+            {motion.nodes, motion.dt, std::max(range, pair.left_open), motion.dt * recovery_speed_,
+             pair.condition, pair.held.empty() ? nullptr : pair.held.data()},
+            rows_);
         pair.rows_end = rows_.size();
     }
 }
 
-/// The problem begins with the rows that had force in the last step and those that the prediction closes.
-void JointContact::choose_rows() {
+void JointContact::empty_problem() {
     chosen_.clear();
     in_problem_.assign(rows_.size(), 0);
     expected_.assign(rows_.size(), BoundedSolver::between);
+}
+
+void JointContact::put_in_problem(std::size_t row) {
+    in_problem_[row] = 1;
+    chosen_.push_back(static_cast<std::int32_t>(row));
+}
+
+void JointContact::choose_rows() {
+    empty_problem();
     for (const Pair& pair : pairs_) {
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
             const ContactRow& row = rows_[k];
             const Last last = pair.last[static_cast<std::size_t>(row.key)];
-            if (row.penetration <= 0 && last != Last::pressed) continue;
+            if (row.penetration <= row.margin && last != Last::pressed) continue;
             // What others kept closed in the last step, they will again.
             if (last == Last::open) expected_[k] = BoundedSolver::at_lower;
-            in_problem_[k] = 1;
-            chosen_.push_back(static_cast<std::int32_t>(k));
+            put_in_problem(k);
         }
     }
 }
@@ -157,11 +199,11 @@ void JointContact::assemble(const PredictedMotion& motion) {
 void JointContact::solve_forces(ContactSolverStatistics& statistics) {
     for (const Coupling::Group& group : coupling_.groups()) {
         const int rounds =
-            solver_.solve(coupling_.matrix(), penetration_, standing_, force_, group.begin, group.end);
+            solver_->solve(coupling_.matrix(), penetration_, standing_, force_, group.begin, group.end);
         ++statistics.problems;
         statistics.iterations += rounds;
         statistics.most_iterations = std::max(statistics.most_iterations, rounds);
-        statistics.fallbacks += solver_.relaxed();
+        statistics.fallbacks += solver_->relaxed();
         statistics.rows += group.end - group.begin;
         statistics.most_rows = std::max(statistics.most_rows, group.end - group.begin);
     }
@@ -213,7 +255,6 @@ double JointContact::deepest_penetration() const {
     return deepest;
 }
 
-/// Adds the rows that the forces found so far would close too far. @returns whether there were any.
 bool JointContact::add_violated(const PredictedMotion& motion) {
     if (chosen_.size() == rows_.size()) return false;
     const double deepest = deepest_penetration();
@@ -221,7 +262,8 @@ bool JointContact::add_violated(const PredictedMotion& motion) {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         if (in_problem_[k]) continue;
         const ContactRow& row = rows_[k];
-        if (row.penetration - opening(rows_.terms(row), motion) <= violation_tolerance * deepest) continue;
+        const double closing = row.penetration - opening(rows_.terms(row), motion);
+        if (closing <= row.margin + violation_tolerance * deepest) continue;
         in_problem_[k] = 1;
         added = true;
     }
@@ -248,8 +290,28 @@ void JointContact::correct(const PredictedMotion& motion) {
     largest_correction_ = std::sqrt(largest);
 }
 
+/// A row that had force keeps the gap that it was met at, until nothing can close it in the next step.
+void JointContact::hold_gaps(Pair& pair) {
+    next_held_.assign(pair.held.size(), not_held);
+    pair.left_open = 0;
+    for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k) {
+        const ContactRow& row = rows_[k];
+        const auto key = static_cast<std::size_t>(row.key);
+        const double held = pair.held[key];
+        const bool stays = held >= 0 && -row.penetration <= pair.relative;
+        if (row.force <= 0 && !stays) continue;
+        next_held_[key] = held >= 0 ? held : row.margin;
+        pair.left_open = std::max(pair.left_open, next_held_[key]);
+    }
+    pair.held.swap(next_held_);
+}
+
 void JointContact::remember() {
     for (Pair& pair : pairs_) {
+        if (!pair.held.empty()) hold_gaps(pair);
+        const bool any = pair.rows_end > pair.rows_begin;
+        if (!any && !pair.remembers) continue;  // one of many pairs that are far apart
+        pair.remembers = any;
         std::fill(pair.last.begin(), pair.last.end(), Last::not_in_problem);
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k)
             if (in_problem_[k]) {

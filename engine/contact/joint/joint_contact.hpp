@@ -23,7 +23,7 @@ namespace percuss {
 /// not as inequalities.
 class JointContact : public ContactMethod {
   public:
-    JointContact(const Scene& scene, const Mesh& mesh);
+    JointContact(const Scene& scene, const Mesh& mesh) : JointContact(scene, mesh, nullptr) {}
 
     void resolve(PredictedMotion& motion, RunStatistics& statistics) override;
     [[nodiscard]] RowSpan rows(std::size_t pair) const override;
@@ -37,18 +37,25 @@ class JointContact : public ContactMethod {
     }
     void become(const ContactMethod& other) override { *this = dynamic_cast<const JointContact&>(other); }
     void restart(const std::vector<std::vector<std::int32_t>>& active) override;
-    void change(const std::vector<double>&, double recovery_speed) override {
-        recovery_speed_ = recovery_speed;
-    }
+    void change(const std::vector<double>& friction, const ContactSolver& solver) override;
 
   protected:
+    /// @param condition of all rows; null: each pair's own.
+    JointContact(const Scene& scene, const Mesh& mesh, ConditionOf condition);
+
+    /// The problem begins with the rows that had force in the last step and those that the prediction closes.
+    virtual void choose_rows();
+    /// Adds the rows that the forces found so far would close too far. @returns whether there were any.
+    [[nodiscard]] virtual bool add_violated(const PredictedMotion& motion);
     /// Solves for the forces of the chosen rows and puts their impulses on the nodes.
     virtual void solve(PredictedMotion& motion, ContactSolverStatistics& statistics);
 
-    // What a solution is made of.
-    void assemble(const PredictedMotion& motion);
+    // What a choice and a solution are made of.
+    void empty_problem();
+    void put_in_problem(std::size_t row);  ///< rows in ascending order
+    virtual void assemble(const PredictedMotion& motion);
     /// Contact forces for the present penetration_, from the present standing_ of the forces.
-    void solve_forces(ContactSolverStatistics& statistics);
+    virtual void solve_forces(ContactSolverStatistics& statistics);
     static void clear_impulses(const PredictedMotion& motion);
     void add_impulses(const PredictedMotion& motion);
     void add_impulse(const RowSpan& rows, const ContactRow& row, const PredictedMotion& motion);
@@ -59,6 +66,7 @@ class JointContact : public ContactMethod {
     [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
     [[nodiscard]] RowBuilder::Size size_of(std::size_t pair) const { return pairs_[pair].builder->size(); }
 
+    double longest_step_ = 0;           ///< rows are found as if the step could be as long as this [time]
     ContactRows rows_;                  ///< all that could close in the step, pair by pair
     std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
     Coupling coupling_;                 ///< of the chosen rows
@@ -74,18 +82,21 @@ class JointContact : public ContactMethod {
     enum class Last : char { not_in_problem, open, pressed };
     struct Pair {
         AnyRowBuilder builder;
-        std::size_t master, slave;    ///< among the surfaces
-        std::vector<Last> last = {};  ///< per key
+        ConditionOf condition;
+        std::size_t master, slave;      ///< among the surfaces
+        std::vector<Last> last = {};    ///< per key
+        bool remembers = false;         ///< some row was in the last step
+        std::vector<double> held = {};  ///< at the velocity level, per key: StepMotion::held
         std::size_t rows_begin = 0, rows_end = 0;
+        double left_open = 0;                                      ///< the widest of the gaps held [length]
         double relative = 0, master_motion = 0, slave_motion = 0;  ///< bounds within this step [length]
     };
 
     std::size_t add_surface(const Surface& surface);
     void find(const PredictedMotion& motion);
-    void choose_rows();
-    [[nodiscard]] bool add_violated(const PredictedMotion& motion);
     void correct(const PredictedMotion& motion);
     void remember();
+    void hold_gaps(Pair& pair);
 
     double recovery_speed_;
     std::vector<Moving> surfaces_;
@@ -93,8 +104,10 @@ class JointContact : public ContactMethod {
     std::vector<char> in_problem_;  ///< per row
     std::vector<char> expected_;    ///< per row in the problem: where its force will stand
     std::vector<char> listed_;      ///< per node of the mesh: among the touched ones of this step
-    BoundedSolver solver_;
-    std::vector<double> force_;  ///< per place in the matrix
+    AnyNonnegativeSolver solver_;
+    ForceSolver solver_kind_;
+    std::vector<double> next_held_;  ///< per key of a pair
+    std::vector<double> force_;      ///< per place in the matrix
     std::vector<char> standing_;
     double largest_correction_ = 0;  ///< change of velocity by contact in this step [velocity]
 };

@@ -99,6 +99,9 @@ AnyRowBuilder make_rows(const Scene& scene, const Mesh& mesh, const ContactPair&
     const PairSurfaces surfaces = pair_surfaces(scene, mesh, pair);
     const auto masters = static_cast<std::int32_t>(surfaces.master.nodes.size()),
                slaves = static_cast<std::int32_t>(surfaces.slave.nodes.size());
+    if (is_self_contact(pair))
+        return AnyRowBuilder(std::make_unique<NodeToSideRows>(
+            NearSearch(surfaces.master, surfaces.slave, {.by_facing = true, .self = true})));
     const auto search = [&](bool of_master, std::int32_t first_key, double slack) {
         const std::int32_t first_owner = of_master ? 0 : masters;
         const bool both_ways = pair.scheme != RowScheme::node_to_side;

@@ -17,6 +17,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// there.
 constexpr double straight = 1e-9;
 
+/// A side faces a node of its own surface when their normals are further apart than a right angle by this
+/// (its sine).
+constexpr double faces_by = 0.1;
+
+/// Which sides of its own surface a node faces can change once it has moved by this part of a mean side.
+constexpr double faces_anew_after = 0.1;
+
 /// Nodes nearer than this part of a mean side stay awake.
 constexpr double awake_within = 0.02;
 
@@ -48,7 +55,7 @@ NearSearch::NearSearch(Surface master, Surface slave, NearRole role)
       memory_(master_.nodes.size()) {
     awake_.reserve(memory_.size());
     allow_overlap();
-    if (role_.by_facing) own_sides_ = sides_beside(master_);
+    if (role_.by_facing || role_.self) own_sides_ = sides_beside(master_);
 }
 
 void NearSearch::allow_overlap() {
@@ -111,7 +118,7 @@ inline bool NearSearch::add_row(const StepMotion& motion, std::int32_t master, c
     const double *n = motion.nodes[node].v, *i = motion.nodes[side.i].v, *j = motion.nodes[side.j].v;
     const double rate =
         v.nx * (n[0] + (a - 1) * i[0] + -a * j[0]) + v.ny * (n[1] + (a - 1) * i[1] + -a * j[1]);
-    row.penetration = -(std::max(counted, -motion.recovery) + motion.dt * rate);
+    motion.set_condition(row, counted, rate);
     return near;
 }
 
@@ -133,10 +140,10 @@ void NearSearch::find(const StepMotion& motion, ContactRows& rows) {
                 continue;
             }
         }
-        const Closest closest = look(motion, x, memory);
+        const Closest closest = look(motion, m, x);
         if (!(closest.distance < infinity)) continue;  // a diverged state has no closest side
         const Face face = face_of(motion, m, x, closest);
-        const Face across = across_valley(motion, x, face);
+        const Face across = across_valley(motion, m, x, face);
         memory.allowance.see(std::min(face.gap(), across.gap()), 2 * motion.range);
         const bool one = add_row(motion, m, face, memory, rows);
         const bool other = add_row(motion, m, across, memory, rows);
@@ -153,8 +160,11 @@ void NearSearch::wake(const StepMotion& motion) {
         Memory& memory = memory_[m];
         if (memory.free_until <= travelled_ + within) {
             const Point x = at_start(motion.nodes, master_.nodes[m], motion.dt);
-            memory.free_until = travelled_ + look(motion, x, memory).distance - end_tolerance * mean_side_;
-            if (memory.allowance.any()) memory.free_until = travelled_;  // touches, though it is inside
+            double distance = look(motion, static_cast<std::int32_t>(m), x).distance;
+            if (role_.self) distance = std::min(distance, within + faces_anew_after * mean_side_);
+            memory.free_until = travelled_ + distance - end_tolerance * mean_side_;
+            // Touches, though it is inside.
+            if (memory.allowance.any() || memory.near) memory.free_until = travelled_;
         }
         if (memory.free_until <= travelled_ + within) {
             awake_.push_back(static_cast<std::int32_t>(m));
@@ -166,17 +176,51 @@ void NearSearch::wake(const StepMotion& motion) {
     }
 }
 
-NearSearch::Closest NearSearch::look(const StepMotion& motion, const Point& x, Memory& memory) {
+bool NearSearch::is_own(std::int32_t master, std::int32_t side) const {
+    const auto [before, behind] = own_sides_[static_cast<std::size_t>(master)];
+    return side == before || side == behind;
+}
+
+std::int32_t NearSearch::beside(std::int32_t side, bool before, std::int32_t master) const {
+    const Side& s = slave_.sides[static_cast<std::size_t>(side)];
+    const std::int32_t around = before ? s.previous : s.next;
+    return role_.self && is_own(master, around) ? -1 : around;
+}
+
+bool NearSearch::counts(const StepMotion& motion, std::int32_t master, const Point& x,
+                        std::int32_t side) const {
+    if (!role_.self) return true;
+    if (is_own(master, side)) return false;
+    const SideView v = view(motion, side, x);
+    const Memory& memory = memory_[static_cast<std::size_t>(master)];
+    // One in touch may be deeper in, and slide on to the next side.
+    const auto touches = [&] {
+        if (!memory.near || memory.closest < 0) return false;
+        const Side& closest = slave_.sides[static_cast<std::size_t>(memory.closest)];
+        return side == memory.closest || side == closest.previous || side == closest.next;
+    };
+    if (-v.gap > std::max((touches() ? depth_limit : entry_tolerance) * v.length, motion.range)) return false;
+    // The middle of its two sides too: the tip of a wedge meets a face head-on.
+    const auto [before, behind] = own_normals(motion, master);
+    const auto turned = [&](double nx, double ny) {
+        return v.nx * nx + v.ny * ny < -faces_by * std::hypot(nx, ny);
+    };
+    return turned(before[0], before[1]) || turned(behind[0], behind[1]) ||
+           turned(before[0] + behind[0], before[1] + behind[1]);
+}
+
+NearSearch::Closest NearSearch::look(const StepMotion& motion, std::int32_t master, const Point& x) {
+    Memory& memory = memory_[static_cast<std::size_t>(master)];
     if (memory.closest >= 0) {
         const SideView v = view(motion, memory.closest, x);
         if (alone_on(v, memory)) return {v, std::abs(v.gap), memory.closest};
     }
     const auto best_of_three = [&](std::int32_t middle) {
         const SideView v = view(motion, middle, x);
-        Closest best{v, distance_of(v), middle};
+        Closest best{v, counts(motion, master, x, middle) ? distance_of(v) : infinity, middle};
         const Side& side = slave_.sides[static_cast<std::size_t>(middle)];
         for (const std::int32_t neighbour : {side.previous, side.next}) {
-            if (neighbour < 0) continue;
+            if (neighbour < 0 || !counts(motion, master, x, neighbour)) continue;
             const SideView other = view(motion, neighbour, x);
             const double distance = distance_of(other);
             // At a common end both are as far: the side that the node is more outside of.
@@ -199,13 +243,18 @@ NearSearch::Closest NearSearch::look(const StepMotion& motion, const Point& x, M
         slave_travelled_ = 0;
     }
     // The tree knows the predicted positions, which are off by no more than the step's motion.
-    memory.middle = tree_.nearest(motion.nodes, slave_.sides, x[0], x[1], slave_travelled_).side;
+    const auto nearest = [&](const auto& counted) {
+        return tree_.nearest(
+            motion.nodes, slave_.sides, x[0], x[1], slave_travelled_,
+            [&](std::int32_t side) { return counted(side) && counts(motion, master, x, side); });
+    };
+    memory.middle = nearest(AllSides{}).side;
     memory.closest = memory.middle;
     if (memory.middle < 0) return {{}, infinity, -1};
     const Side& middle = slave_.sides[static_cast<std::size_t>(memory.middle)];
-    const auto other = tree_.nearest(motion.nodes, slave_.sides, x[0], x[1], slave_travelled_,
-                                     {middle.previous, memory.middle, middle.next});
-    memory.others_from = travelled_ + other.distance - motion.range;
+    double others = nearest(SidesOtherThan{{middle.previous, memory.middle, middle.next}}).distance;
+    if (role_.self) others = std::min(others, faces_anew_after * mean_side_);
+    memory.others_from = travelled_ + others - motion.range;
     const Closest best = best_of_three(memory.middle);
     memory.closest = best.side;
     return best;
@@ -231,9 +280,8 @@ NearSearch::Face NearSearch::face_of(const StepMotion& motion, std::int32_t mast
         if (const auto face = opposed_face(motion, master, x, closest)) return *face;
     const double past = past_end(closest.view);
     if (past <= 0) return {closest.view, closest.side};
-    const Side& side = slave_.sides[static_cast<std::size_t>(closest.side)];
     const bool before = closest.view.a < 0;
-    const std::int32_t around = before ? side.previous : side.next;
+    const std::int32_t around = beside(closest.side, before, master);
     const double reach = end_tolerance * mean_side_;
     if (around < 0) return {closest.view, past > reach ? -1 : closest.side};
     if (corner(motion, before ? around : closest.side, before ? closest.side : around) != Corner::sharp)
@@ -244,17 +292,27 @@ NearSearch::Face NearSearch::face_of(const StepMotion& motion, std::int32_t mast
     return {face.view, past_end(face.view) > reach ? -1 : face.side};
 }
 
-/// Whether a side of the node's own surface faces this way in, within 60 degrees.
-bool NearSearch::opposes(const StepMotion& motion, std::int32_t master, const SideView& face) const {
-    for (const std::int32_t own : own_sides_[static_cast<std::size_t>(master)]) {
+/// Unit normals of the node's own two sides; zero where there is none.
+std::array<NearSearch::Point, 2> NearSearch::own_normals(const StepMotion& motion,
+                                                         std::int32_t master) const {
+    std::array<Point, 2> normals{};
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+        const std::int32_t own = own_sides_[static_cast<std::size_t>(master)][k];
         if (own < 0) continue;
         const Side& side = master_.sides[static_cast<std::size_t>(own)];
         const Point i = at_start(motion.nodes, side.i, motion.dt),
                     j = at_start(motion.nodes, side.j, motion.dt);
-        const double tx = j[0] - i[0], ty = j[1] - i[1];
-        if (face.nx * ty - face.ny * tx < -0.5 * std::hypot(tx, ty)) return true;
+        const double tx = j[0] - i[0], ty = j[1] - i[1], length = std::hypot(tx, ty);
+        normals[k] = {ty / length, -tx / length};
     }
-    return false;
+    return normals;
+}
+
+/// Whether a side of the node's own surface faces this way in, within 60 degrees.
+bool NearSearch::opposes(const StepMotion& motion, std::int32_t master, const SideView& face) const {
+    const auto normals = own_normals(motion, master);
+    return std::any_of(normals.begin(), normals.end(),
+                       [&](const Point& n) { return face.nx * n[0] + face.ny * n[1] < -0.5; });
 }
 
 /// Near a sharp corner of the sides, the one of its two faces that alone opposes the node's surface.
@@ -263,8 +321,7 @@ std::optional<NearSearch::Face> NearSearch::opposed_face(const StepMotion& motio
     const SideView& v = closest.view;
     const bool before = v.a < 0.5;
     const double reach = end_tolerance * mean_side_;
-    const Side& side = slave_.sides[static_cast<std::size_t>(closest.side)];
-    const std::int32_t around = before ? side.previous : side.next;
+    const std::int32_t around = beside(closest.side, before, master);
     if (around < 0 || (before ? v.a : 1 - v.a) * v.length > std::max(reach, 2 * motion.range))
         return std::nullopt;
     if (corner(motion, before ? around : closest.side, before ? closest.side : around) != Corner::sharp)
@@ -278,12 +335,12 @@ std::optional<NearSearch::Face> NearSearch::opposed_face(const StepMotion& motio
 
 /// A node at the bottom of a valley between two sides is kept out by both: were it by the closer one only, it
 /// would leave each of them in turn through the other.
-NearSearch::Face NearSearch::across_valley(const StepMotion& motion, const Point& x, const Face& face) const {
+NearSearch::Face NearSearch::across_valley(const StepMotion& motion, std::int32_t master, const Point& x,
+                                           const Face& face) const {
     const SideView& v = face.view;
     const bool before = v.a < 0.5;
     if (face.side < 0 || (before ? v.a : 1 - v.a) * v.length > 2 * motion.range) return {{}, -1};
-    const Side& side = slave_.sides[static_cast<std::size_t>(face.side)];
-    const std::int32_t around = before ? side.previous : side.next;
+    const std::int32_t around = beside(face.side, before, master);
     if (around < 0 ||
         corner(motion, before ? around : face.side, before ? face.side : around) != Corner::valley)
         return {{}, -1};

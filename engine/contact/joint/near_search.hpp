@@ -27,6 +27,8 @@ struct NearRole {
     bool by_facing = false;
     /// Nodes, by index, that begin inside.
     std::vector<std::int32_t> overlapping = {};
+    /// The two surfaces are one, the whole outline of a body that may fold on itself.
+    bool self = false;
 };
 
 /// Finds which master nodes of a pair could come to a slave side within the step. Conditions are built at
@@ -35,6 +37,9 @@ struct NearRole {
 /// (no average): a node that slides from one facet to the next crosses where both give the same gap.
 ///
 /// Nodes far from the slave surface sleep until the two surfaces can have moved that much.
+///
+/// Where the surfaces are one, a node looks at the sides that face it only: not its own two, none that it
+/// sees from behind (the back of a thin part), none that turns the same way as its own.
 class NearSearch {
   public:
     NearSearch(Surface master, Surface slave, NearRole role = {});
@@ -80,7 +85,7 @@ class NearSearch {
     void measure(const Node* nodes);
     void wake(const StepMotion& motion);
     [[nodiscard]] bool alone_on(const SideView& view, const Memory& memory) const;
-    [[nodiscard]] Closest look(const StepMotion& motion, const Point& x, Memory& memory);
+    [[nodiscard]] Closest look(const StepMotion& motion, std::int32_t master, const Point& x);
     enum class Corner { sharp, flat, valley };
     struct Face {
         SideView view;
@@ -89,13 +94,21 @@ class NearSearch {
             return side < 0 ? std::numeric_limits<double>::infinity() : view.gap;
         }
     };
+    /// Whether a side can keep the node out; always, where the surfaces are two.
+    [[nodiscard]] bool counts(const StepMotion& motion, std::int32_t master, const Point& x,
+                              std::int32_t side) const;
+    /// The neighbour of a side before its start or behind its end, -1: none that can keep the node out.
+    [[nodiscard]] std::int32_t beside(std::int32_t side, bool before, std::int32_t master) const;
+    [[nodiscard]] std::array<Point, 2> own_normals(const StepMotion& motion, std::int32_t master) const;
+    [[nodiscard]] bool is_own(std::int32_t master, std::int32_t side) const;
     [[nodiscard]] Corner corner(const StepMotion& motion, std::int32_t first, std::int32_t second) const;
     [[nodiscard]] Face face_of(const StepMotion& motion, std::int32_t master, const Point& x,
                                const Closest& closest) const;
     [[nodiscard]] std::optional<Face> opposed_face(const StepMotion& motion, std::int32_t master,
                                                    const Point& x, const Closest& closest) const;
     [[nodiscard]] bool opposes(const StepMotion& motion, std::int32_t master, const SideView& face) const;
-    [[nodiscard]] Face across_valley(const StepMotion& motion, const Point& x, const Face& face) const;
+    [[nodiscard]] Face across_valley(const StepMotion& motion, std::int32_t master, const Point& x,
+                                     const Face& face) const;
     /// @returns whether the face is within reach, whether the node has a row or not.
     bool add_row(const StepMotion& motion, std::int32_t master, const Face& face, const Memory& memory,
                  ContactRows& rows);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "contact/joint/condition.hpp"
 #include "contact/row.hpp"
 #include "dynamics/node.hpp"
 
@@ -15,6 +16,19 @@ struct StepMotion {
     double dt = 0;                ///< of the step: positions x_n before it were dt * velocity back [time]
     double range = 0;     ///< bound of the relative motion of the two surfaces within the step [length]
     double recovery = 0;  ///< a penetration is taken back by no more than this in the step [length]
+    ConditionOf condition = &position_level;
+    /// At the velocity level, per key: the gap that a row was met at, negative for one that was not; null:
+    /// another level [length].
+    const double* held = nullptr;
+
+    /// What a row of a gap, positive when open, and of its rate has to keep. @pre row.key is set
+    void set_condition(ContactRow& row, double gap, double rate) const {
+        const double at = held ? held[row.key] : 0;
+        if (at < 0)
+            velocity_level(row, gap, dt * rate, recovery);
+        else
+            condition(row, gap - at, dt * rate, recovery);
+    }
 };
 
 /// How far a step has moved the surfaces of a pair in the end, bounds [length].
@@ -23,10 +37,8 @@ struct MotionBounds {
 };
 
 /// Makes the rows of one pair for the joint problem: its contact scheme. Conditions are built at x_n, where
-/// the forces of the step act. A row says that a gap, linear in the motion, does not close further than to
-/// zero; its penetration is
-///     P = -(max(gap, -recovery) + dt gap rate),
-/// how deep the predicted motion would go, counted from a gap that a step may make good.
+/// the forces of the step act. What a row says of its gap, linear in the motion, is its condition
+/// (condition.hpp), whatever the builder.
 ///
 /// Rows are owned by nodes of the pair: those of the master surface count from 0, in the order of the
 /// surface, then those of the slave surface. An overlap at the start is

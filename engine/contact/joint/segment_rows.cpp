@@ -239,7 +239,7 @@ void SegmentRows::emit(const StepMotion& motion, const Weighted& row, ContactRow
     made.owner = fine_.first_owner() + row.node;
     made.key = made.owner;
     made.side = -1;
-    made.penetration = -(std::max(gap, -motion.recovery) + motion.dt * rate);
+    motion.set_condition(made, gap, rate);
 }
 
 }  // namespace percuss

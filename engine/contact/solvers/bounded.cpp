@@ -7,7 +7,6 @@
 namespace percuss {
 namespace {
 
-constexpr double gap_tolerance = 1e-11;  // of the largest penetration
 constexpr int relaxation_sweeps =
     500;  // from zero forces: cut short, they are too small rather than too large
 

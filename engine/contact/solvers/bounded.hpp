@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/solvers/profile_cholesky.hpp"
+#include "contact/solvers/nonnegative.hpp"
 
 namespace percuss {
 
@@ -13,7 +13,7 @@ namespace percuss {
 /// doi:10.1016/0305-0548(94)90106-6): all wrong signs change sides at once, and when their number stops
 /// falling, one at a time (Murty's rule), which always ends. Where rows depend on each other (held master
 /// nodes) and exclude each other as equations, projected Gauss-Seidel takes over.
-class BoundedSolver {
+class BoundedSolver final : public NonnegativeSolver {
   public:
     /// Where a force stands. The first two are what a flag "is active" says of a force that only has a lower
     /// bound.
@@ -27,13 +27,16 @@ class BoundedSolver {
     }
     /// The same for the diagonal block of rows begin to end, which no other row couples with.
     int solve(const ProfileMatrix& a, std::span<const double> p, std::span<char> standing,
-              std::span<double> c, std::int32_t begin, std::int32_t end);
+              std::span<double> c, std::int32_t begin, std::int32_t end) override;
     /// -limit <= C <= limit: friction forces. @param limit >= 0.
     int solve_within(std::span<const double> limit, const ProfileMatrix& a, std::span<const double> p,
                      std::span<char> standing, std::span<double> c, std::int32_t begin, std::int32_t end);
     /// Whether the last solve ended in projected Gauss-Seidel.
-    [[nodiscard]] bool relaxed() const { return relaxed_; }
-    void reserve(std::size_t rows, std::size_t entries);
+    [[nodiscard]] bool relaxed() const override { return relaxed_; }
+    void reserve(std::size_t rows, std::size_t entries) override;
+    [[nodiscard]] std::unique_ptr<NonnegativeSolver> copy() const override {
+        return std::make_unique<BoundedSolver>(*this);
+    }
 
   private:
     template <class Bounds>

@@ -46,7 +46,7 @@ TEST(SideTree, FindsTheNearestSideOfBentChainsWithOutdatedBoxes) {
                     std::min(expected, distance_to_segment(nodes[static_cast<std::size_t>(side.i)].x,
                                                            nodes[static_cast<std::size_t>(side.j)].x, x, y));
             }
-            const auto found = tree.nearest(nodes.data(), surface.sides, x, y, moved, except);
+            const auto found = tree.nearest(nodes.data(), surface.sides, x, y, moved, SidesOtherThan{except});
             if (!std::isfinite(expected)) {
                 EXPECT_EQ(found.side, -1);
                 continue;

@@ -14,7 +14,7 @@ namespace {
 
 using testing::Rng;
 using testing::stack;
-using RandomStep = testing::RandomStep<FrictionalContact>;
+using RandomStep = testing::RandomStep<FrictionalContact<JointContact>>;
 
 Scene rough_stack(double friction, const std::vector<std::string>& overrides = {}) {
     std::vector<std::string> all = overrides;
@@ -122,7 +122,7 @@ TEST(FrictionalContact, OnlyPairsThatCallForItHaveFriction) {
 TEST(FrictionalContact, IsChosenOnlyWhereAPairCallsForIt) {
     const auto kind = [](const Scene& scene) {
         const auto method = make_contact_method(scene, build_mesh(scene), scene.contact_solver.scheme);
-        return dynamic_cast<FrictionalContact*>(method.get()) != nullptr;
+        return dynamic_cast<FrictionalContact<JointContact>*>(method.get()) != nullptr;
     };
     EXPECT_TRUE(kind(rough_stack(0.2)));
     EXPECT_FALSE(kind(rough_stack(0)));
