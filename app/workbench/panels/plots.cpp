@@ -342,7 +342,7 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     if (cursor)
         ink.AddLine({axes.x(*cursor), axes.low.y}, {axes.x(*cursor), axes.high.y},
                     ImGui::GetColorU32(ImGuiCol_Text, 0.6F));
-    if (!w.run.live()) {  // the moment that the picture shows
+    if (!w.run.live()) {                                             // the moment that the picture shows
         const float x = std::round(axes.x(w.run.snapshot()->time));  // its colour is whole on a whole pixel
         ink.AddLine({x, axes.low.y}, {x, axes.high.y}, shown_moment_colour,
                     static_cast<float>(1.6 * w.screen.scale()));
