@@ -69,6 +69,9 @@ std::vector<EffectInfo> effects_of(const Scene& scene) {
     effects.push_back({"contact: penalty", pairs_by(ContactScheme::penalty),
                        "motion bound on each surface node; search of near nodes; about 60 flops a row in "
                        "reach; lowers the critical step"});
+    effects.push_back(
+        {"contact: massless nodes", pairs_by(ContactScheme::massless),
+         "stiffness of the elements behind the surfaces and one factorisation of all their nodes"});
     effects.push_back({"contact: bipenalty", pairs_by(ContactScheme::bipenalty),
                        "as the joint problem, of the rows that are inside"});
     effects.push_back(

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "contact/joint/make_rows.hpp"
+#include "contact/joint/massless_layer.hpp"
 #include "mesh/build.hpp"
 #include "run/fields.hpp"
 #include "run/history_columns.hpp"
@@ -58,7 +60,10 @@ Solver::Solver(Scene scene, int threads)
     contact_ = make_contact_method(s, setup_->mesh, contact_scheme_);
     pairs_.resize(s.contacts.size());
     for (std::size_t p = 0; p < pairs_.size(); ++p) pairs_[p].self = is_self_contact(s.contacts[p]);
-    for (Pair& pair : pairs_) pair.flags.assign(setup_->mesh.nodes.size(), 0);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        const PairSurfaces surfaces = pair_surfaces(s, setup_->mesh, s.contacts[p]);
+        pairs_[p].flags.assign(surfaces.master.nodes.size() + surfaces.slave.nodes.size(), 0);
+    }
     if (!loads_.none()) external_.assign(2 * mass_.size(), 0);
     if (!imposed_.prescribed.empty()) {
         imposed_change_.assign(2 * mass_.size(), 0);
@@ -67,6 +72,7 @@ Solver::Solver(Scene scene, int threads)
             driven_[2 * static_cast<std::size_t>(p.node) + static_cast<std::size_t>(p.direction)] = p.acts;
         drive_.assign(s.bodies.size(), {0, 0});
     }
+    if (!massless_.empty()) imposed_change_.resize(2 * mass_.size(), 0);
     if (!pairs_.empty()) {
         contact_impulse_.assign(2 * mass_.size(), 0);
         velocity_before_contact_.assign(2 * mass_.size(), 0);
@@ -135,6 +141,16 @@ void Solver::build_nodes() {
         body_mass_.push_back(
             std::accumulate(mass_.begin() + part.node_begin, mass_.begin() + part.node_end, 0.0));
     }
+    std::vector<char> massless(count, 0);
+    if (scene.contact_solver.scheme == ContactScheme::massless && !scene.contacts.empty()) {
+        const MasslessLayer layer(scene, mesh);
+        layer.move_mass(mass_);
+        for (const MasslessLayer::LayerNode& of : layer.nodes()) {
+            massless[static_cast<std::size_t>(of.node)] = 1;
+            for (std::size_t d = 0; d < 2; ++d)
+                if (of.unknown[d] >= 0) massless_.push_back(2 * static_cast<std::size_t>(of.node) + d);
+        }
+    }
     inverse_mass_.resize(2 * count);
     for (const Edge& wall : mesh.walls)
         for (const std::int32_t node : wall.nodes) {
@@ -145,7 +161,8 @@ void Solver::build_nodes() {
         for (std::size_t d = 0; d < 2; ++d) {
             inverse_mass_[2 * node + d] = imposed_.held[node][d] || mass_[node] == 0 ? 0 : 1 / mass_[node];
             if (imposed_.held[node][d]) state_.nodes[node].v[d] = 0;
-            if (inverse_mass_[2 * node + d] == 0) supports_.push_back(2 * node + d);
+            if (imposed_.held[node][d] || (inverse_mass_[2 * node + d] == 0 && !massless[node]))
+                supports_.push_back(2 * node + d);
         }
     }
     for (const auto& p : imposed_.prescribed)
@@ -198,15 +215,16 @@ void Solver::build_chunks() {
 
 void Solver::check_fixed_step(const StepSize& step) {
     if (!step.fixed) return;
-    const double critical =
-        bounds_elements(*state_.critical_of) ? state_.critical_step : critical_step_of_elements();
+    const bool known = bounds_elements(*state_.critical_of);
+    const double critical = known ? critical_step_with_contact() : critical_step_of_elements();
     if (*step.fixed <= critical) return;
+    const bool springs = known && critical < state_.critical_step;
     const Scene& scene = setup_->scene;
     const auto unit = scene.units.display(Quantity::time, *step.fixed);
     throw SceneError(
-        {fmt::format("{}: time step {:.6g} {} is above the critical step; at most {:.6g} {} is stable",
+        {fmt::format("{}: time step {:.6g} {} is above the critical step{}; at most {:.6g} {} is stable",
                      describe_place(scene, step.place), *step.fixed * unit.scale, unit.label,
-                     critical * unit.scale, unit.label)});
+                     springs ? " with the springs of contact" : "", critical * unit.scale, unit.label)});
 }
 
 /// Whether a critical step that was found with these values is that of the values in force.
@@ -251,7 +269,6 @@ void Solver::change(std::shared_ptr<const InFlight> values) {
         in_force_.swap(values);
         throw;
     }
-    if (state_.step == 0) look_ahead_for_springs();
 }
 
 void Solver::make_contact(ContactScheme scheme) {
@@ -272,9 +289,7 @@ void Solver::switch_contact() {
 /// The springs of surfaces that touch from the start count in the first step, before there were any rows.
 void Solver::look_ahead_for_springs() {
     state_.contact_frequency = 0;
-    if (!contact_) return;
-    if (contact_scheme_ != in_force_->contact_solver.scheme) switch_contact();
-    if (contact_scheme_ != ContactScheme::penalty) return;
+    if (!contact_ || contact_scheme_ != ContactScheme::penalty) return;
     AlignedVector<Node> nodes = state_.nodes;
     for (Node& node : nodes)
         for (std::size_t d = 0; d < 2; ++d) node.x[d] += state_.critical_step * node.v[d];
@@ -306,7 +321,7 @@ std::shared_ptr<Snapshot> Solver::snapshot() const {
     snapshot->time = state_.time;
     snapshot->step = state_.step;
     snapshot->dt = state_.dt;
-    snapshot->critical_step = state_.critical_step;
+    snapshot->critical_step = critical_step_with_contact();
     snapshot->position.reserve(2 * state_.nodes.size());
     snapshot->velocity.reserve(2 * state_.nodes.size());
     snapshot->stress.reserve(setup_->mesh.cells.size());

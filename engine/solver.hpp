@@ -211,6 +211,7 @@ class Solver {
     std::vector<ProbeReading> probes_;
     std::vector<double> probe_values_;
     std::vector<Node> probe_nodes_;
+    std::vector<std::size_t> massless_;  // velocity components of contact nodes without mass
     std::vector<double> row_;
     RunStatistics statistics_;
     double kick_ = 0;

@@ -319,7 +319,12 @@ void Solver::resolve_contacts() {
     PredictedMotion motion{
         state_.dt, kick_,  state_.nodes.data(), inverse_mass_.data(), contact_impulse_.data(),
         &touched_, &forces};
+    if (!massless_.empty()) motion.moved = imposed_change_.data();
     contact_->resolve(motion, statistics_);
+    for (const std::size_t k : massless_) {
+        sums_.internal_after += internal_[k] * imposed_change_[k];
+        if (!external_.empty()) sums_.external_after += external_[k] * imposed_change_[k];
+    }
     state_.contact_frequency = motion.squared_frequency;
     stored_in_contact_ = motion.stored;
 }
@@ -675,7 +680,7 @@ void Solver::fill_history_row() {
         put(energy);
     if (!state_.ledger.pair_friction_work.empty()) put(e.friction);
     put(state_.dt);
-    put(state_.critical_step);
+    put(critical_step_with_contact());
     for (std::size_t k = 0; k < probes_.size(); ++k) {
         const ProbeReading& probe = probes_[k];
         put(probe.cell >= 0 ? probe_values_[k]

@@ -2,6 +2,7 @@
 
 #include "contact/joint/frictional_contact.hpp"
 #include "contact/joint/joint_contact.hpp"
+#include "contact/joint/massless_contact.hpp"
 #include "contact/pair_by_pair.hpp"
 
 namespace percuss {
@@ -26,6 +27,8 @@ std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Mes
             return make<PenaltyContact>(scene, mesh);
         case ContactScheme::bipenalty:
             return make<BipenaltyContact>(scene, mesh);
+        case ContactScheme::massless:
+            return std::make_unique<MasslessContact>(scene, mesh);
         case ContactScheme::projection:
             break;
     }

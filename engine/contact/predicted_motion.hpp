@@ -37,6 +37,7 @@ struct PredictedMotion {
     double* impulse = nullptr;             ///< 2 per node; a scheme adds the impulses it puts on nodes
     std::vector<std::int32_t>* touched = nullptr;  ///< nodes with an impulse; may hold a node more than once
     const ForcesOnNodes* forces = nullptr;         ///< what the prediction was made with
+    double* moved = nullptr;  ///< 2 per node: changes of velocity that are no impulse, of nodes without mass
 
     // What contact has to tell.
     double squared_frequency = 0;  ///< bound of what its springs add to that of the elements [1/time^2]

@@ -38,9 +38,11 @@ class SideTree {
     /// The side nearest to (x, y) of those that count, at the present positions of the nodes; the boxes may
     /// be out of date by a motion of at most `slack`. side = -1 when there is none.
     /// @param counts whether the side of an index does; asked of the nearer ones only
+    /// @param within only sides nearer than this are looked for; the distance where there is none [length]
     template <class Counts = AllSides>
     [[nodiscard]] Nearest nearest(const Node* nodes, const std::vector<Side>& sides, double x, double y,
-                                  double slack, const Counts& counts = {}) const;
+                                  double slack, const Counts& counts = {},
+                                  double within = std::numeric_limits<double>::infinity()) const;
 
   private:
     struct Box {
@@ -54,8 +56,8 @@ class SideTree {
 
 template <class Counts>
 SideTree::Nearest SideTree::nearest(const Node* nodes, const std::vector<Side>& sides, double x, double y,
-                                    double slack, const Counts& counts) const {
-    Nearest best{-1, std::numeric_limits<double>::infinity()};
+                                    double slack, const Counts& counts, double within) const {
+    Nearest best{-1, within};
     const auto lower_bound = [&](std::size_t k) {
         const Box& box = boxes_[k];
         const double dx = std::max({box.min_x - x, x - box.max_x, 0.0});

@@ -38,6 +38,8 @@ double triangle_area(const Vec2& a, const Vec2& b, const Vec2& c) {
     return 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y()));
 }
 
+}  // namespace
+
 ElasticConstants elastic_constants(const Material& material, const Body& body, Geometry geometry) {
     ElasticConstants c;
     const double e = material.young, nu = material.poisson;
@@ -57,6 +59,8 @@ ElasticConstants elastic_constants(const Material& material, const Body& body, G
     c.hourglass = body.hourglass;
     return c;
 }
+
+namespace {
 
 /// Strain, yield stress and temperature of a point that has not flowed yet.
 std::array<double, 3> initial_law_state(const Plasticity& plasticity) {

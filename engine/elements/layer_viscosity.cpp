@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "contact/surface.hpp"
+#include "contact/joint/make_rows.hpp"
 #include "scene/parse.hpp"
 
 namespace percuss {
@@ -87,7 +87,9 @@ LayerViscosity::LayerViscosity(const Scene& scene, const Mesh& mesh, std::span<c
     std::vector<double> coefficient(mesh.cells.size(), 0);
     for (const ContactPair& pair : scene.contacts) {
         if (!pair.layer) continue;
-        for (const SurfaceName* name : {&pair.master, &pair.slave}) {
+        const PairSurfaces surfaces = pair_surfaces(scene, mesh, pair);  // without sides on the axis
+        for (const bool of_master : {true, false}) {
+            const SurfaceName* name = of_master ? &pair.master : &pair.slave;
             const auto body = std::find_if(mesh.bodies.begin(), mesh.bodies.end(),
                                            [&](const MeshBody& b) { return b.name == name->body; });
             if (body == mesh.bodies.end()) continue;  // a wall
@@ -101,7 +103,8 @@ LayerViscosity::LayerViscosity(const Scene& scene, const Mesh& mesh, std::span<c
                 throw SceneError(
                     {fmt::format("{}: contact '{}': body '{}' has {}; leave 'layer' out or change that",
                                  describe_place(scene, pair.place), pair.name, body->name, fault)});
-            mark_layers(mesh, *body, make_surface(mesh, *name).nodes, *pair.layer, coefficient);
+            mark_layers(mesh, *body, (of_master ? surfaces.master : surfaces.slave).nodes, *pair.layer,
+                        coefficient);
         }
     }
     for (std::size_t b = 0; b < batches.size(); ++b)

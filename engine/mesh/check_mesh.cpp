@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "contact/joint/massless_layer.hpp"
+#include "dynamics/loads.hpp"
 #include "mesh/build.hpp"
 #include "mesh/overlap.hpp"
 #include "mesh/segment_tree.hpp"
@@ -57,6 +59,24 @@ class MeshCheck {
                 faults_.error(
                     constraint.place,
                     fmt::format("body '{}': the constraint holds no node; enlarge its box", body.name));
+    }
+
+    /// Contact nodes without mass need others beside them, and motions that do not begin or end.
+    void check_massless() const {
+        if (scene_.contact_solver.scheme != ContactScheme::massless || scene_.contacts.empty()) return;
+        const MasslessLayer layer(scene_, mesh_);
+        const Place& place = scene_.contacts.front().place;
+        if (const auto bare = layer.without_carrier())
+            faults_.error(
+                place,
+                fmt::format("the scheme \"massless\" needs two layers of elements behind a surface; at "
+                            "{} there is one: divide the body more finely, or choose another scheme",
+                            text(mesh_.nodes[static_cast<std::size_t>(*bare)])));
+        const ImposedMotion imposed = impose_motion(scene_, mesh_);
+        if (imposed.timed)
+            faults_.error(place,
+                          "the scheme \"massless\" takes no motion that begins or ends within the run; leave "
+                          "'from' and 'until' out, or choose another scheme");
     }
 
   private:
@@ -142,6 +162,7 @@ void check_mesh(const Scene& scene, const Mesh& mesh) {
     for (const auto& pair : scene.contacts) check.check_pair(pair);
     for (const auto& probe : scene.probes) check.check_probe(probe);
     for (const auto& body : scene.bodies) check.check_constraints(body);
+    check.check_massless();
     faults.throw_if_any();
 }
 

@@ -98,6 +98,8 @@ const char* name_of(ContactScheme scheme) {
             return "penalty";
         case ContactScheme::bipenalty:
             return "bipenalty";
+        case ContactScheme::massless:
+            return "massless";
         case ContactScheme::projection:
             break;
     }

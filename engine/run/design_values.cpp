@@ -53,10 +53,14 @@ class Collector {
         value.group = group_;
         value.title = "contact scheme";
         value.help =
-            "projection: the paper's, pair by pair. joint: one problem for all pairs that share nodes. "
+            "projection: the paper's, pair by pair. joint: one problem for all pairs that share nodes; "
+            "between "
+            "the two a run goes on. "
             "penalty: "
-            "springs. bipenalty: springs with inertia.";
-        value.choices = {"projection", "joint", "penalty", "bipenalty"};
+            "springs. bipenalty: springs with inertia. massless: contact nodes without mass; to and from it "
+            "the run "
+            "begins anew.";
+        value.choices = {"projection", "joint", "penalty", "bipenalty", "massless"};
         value.choice = value.choices[static_cast<std::size_t>(scene_->contact_solver.scheme)];
         value.expression = expression(value.key);
         value.effect = ChangeEffect::next_step;
@@ -148,7 +152,9 @@ void add_run(Collector& list, const Scene& scene) {
                  [](Scene& s) -> double& { return s.contact_solver.recovery_speed; });
     if (scene.contact_solver.scheme == ContactScheme::penalty ||
         scene.contact_solver.scheme == ContactScheme::bipenalty)
-        list.add("contact_solver.penalty", "penalty", Quantity::dimensionless, {{0.01, 10.0}}, 0,
+        // Inertia with stiff springs adds energy: see bipenalty_contact.hpp.
+        list.add("contact_solver.penalty", "penalty", Quantity::dimensionless,
+                 {{0.01, scene.contact_solver.scheme == ContactScheme::penalty ? 10.0 : 1.0}}, 0,
                  "Springs of contact as a part of the stiffness of the elements behind it.",
                  [](Scene& s) -> double& { return s.contact_solver.penalty; });
 }

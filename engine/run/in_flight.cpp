@@ -59,7 +59,15 @@ void take_in_flight(Scene& to, const Scene& from) {
     to.step = from.step;
     if (to.contacts.size() == from.contacts.size()) {
         // The scheme that friction takes is one and the same.
-        to.contact_solver = from.contact_solver;
+        // Springs that come in or stiffen between two steps bring energy, and nodes lose their mass at the
+        // start.
+        const auto by_impulse = [](const ContactSolver& solver) {
+            return solver.scheme == ContactScheme::projection || solver.scheme == ContactScheme::joint;
+        };
+        const ContactSolver &before = to.contact_solver, &after = from.contact_solver;
+        const bool same_springs = before.scheme == after.scheme && before.penalty == after.penalty &&
+                                  before.step_of_elements == after.step_of_elements;
+        if (both(by_impulse(before), by_impulse(after)) || same_springs) to.contact_solver = after;
         for (std::size_t p = 0; p < to.contacts.size(); ++p)
             if (both(to.contacts[p].friction > 0, from.contacts[p].friction > 0))
                 to.contacts[p].friction = from.contacts[p].friction;

@@ -24,8 +24,8 @@ struct PhaseSeconds {
 };
 
 struct PairStatistics {
-    double peak_force = 0;                ///< largest magnitude of the resultant on the master body [force]
-    std::array<double, 2> impulse{0, 0};  ///< time integral of the resultant on the master body [impulse]
+    double peak_force = 0;                ///< largest magnitude of PairState::force [force]
+    std::array<double, 2> impulse{0, 0};  ///< time integral of PairState::force [impulse]
     std::int64_t events = 0;              ///< changes of the pair's state: no active node <-> some
     std::int64_t openings = 0, closings = 0;  ///< of master nodes, one count per node and change
     std::int64_t negative_forces = 0;         ///< rows whose unrestricted C came out negative

@@ -81,12 +81,14 @@ void append_all_pairs(TableReader& reader, Scene& scene, const ContactPair& like
         pair.name = fmt::format("{}-{}-{}", like.name, one, other);
         pair.master = {one, "", like.place};
         pair.slave = {other, "", like.place};
-        for (const ContactPair& taken : scene.contacts)
-            if (taken.name == pair.name)
-                reader.error("name",
-                             fmt::format("the name '{}', of a pair of \"all\", is taken by line {}; give "
-                                         "one of the two another name",
-                                         pair.name, taken.place.line));
+        const auto same = [&](const ContactPair& other_pair) { return other_pair.name == pair.name; };
+        std::vector<ContactPair> taken_by;
+        std::copy_if(scene.contacts.begin(), scene.contacts.end(), std::back_inserter(taken_by), same);
+        std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(taken_by), same);
+        for (const ContactPair& taken : taken_by)
+            reader.error("name", fmt::format("the name '{}', of a pair of \"all\", is taken by line {}; give "
+                                             "one of the two another name",
+                                             pair.name, taken.place.line));
         pairs.push_back(std::move(pair));
     };
     for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
@@ -94,6 +96,9 @@ void append_all_pairs(TableReader& reader, Scene& scene, const ContactPair& like
             append(scene.bodies[a].name, scene.bodies[b].name);
         for (const Wall& wall : scene.walls) append(scene.bodies[a].name, wall.name);
     }
+    if (pairs.empty())
+        reader.error("bodies",
+                     "nothing is left to pair: other tables name every two bodies; leave this one out");
     scene.contacts.insert(scene.contacts.end(), pairs.begin(), pairs.end());
 }
 
@@ -151,11 +156,13 @@ void read_contact_solver(TableReader& root, Scene& scene) {
                                                       {{"projection", ContactScheme::projection},
                                                        {"joint", ContactScheme::joint},
                                                        {"penalty", ContactScheme::penalty},
-                                                       {"bipenalty", ContactScheme::bipenalty}});
+                                                       {"bipenalty", ContactScheme::bipenalty},
+                                                       {"massless", ContactScheme::massless}});
     if (scheme) solver.scheme = *scheme;
     const bool joint = solver.scheme == ContactScheme::joint,
                penalty = solver.scheme == ContactScheme::penalty,
-               bipenalty = solver.scheme == ContactScheme::bipenalty;
+               bipenalty = solver.scheme == ContactScheme::bipenalty,
+               massless = solver.scheme == ContactScheme::massless;
     const auto only_for = [&](std::string_view key, bool fits, std::string_view schemes) {
         if (!fits)
             reader->error(key, fmt::format("'{}' belongs to scheme = {}; leave it out or choose that scheme",
@@ -163,7 +170,7 @@ void read_contact_solver(TableReader& root, Scene& scene) {
     };
     if (const auto speed = reader->number("recovery_speed", positive)) {
         solver.recovery_speed = *speed;
-        only_for("recovery_speed", joint, "\"joint\"");
+        only_for("recovery_speed", joint || massless, "\"joint\" or \"massless\"");
     }
     if (const auto kind =
             reader->choice<ForceSolver>("solver", "solver",
@@ -212,7 +219,7 @@ void read_how(TableReader& reader, const Scene& scene, ContactPair& pair) {
     pair.scheme = scheme.value_or(pair.by_bodies ? RowScheme::symmetric : RowScheme::node_to_side);
     if (scheme && pair.scheme != RowScheme::node_to_side && !rows)
         reader.error("scheme",
-                     "schemes of pairs belong to the joint problem; write scheme = \"joint\" in "
+                     "the scheme \"projection\" knows no other rows; write scheme = \"joint\" in "
                      "[contact_solver], or leave 'scheme' out");
     const auto level = reader.choice<ContactLevel>(
         "level", "contact level",
@@ -229,13 +236,18 @@ void read_how(TableReader& reader, const Scene& scene, ContactPair& pair) {
                     .value_or(ContactSign::restricted);
     if (pair.sign == ContactSign::unrestricted && rows)
         reader.error("sign",
-                     "the joint scheme knows no tension; leave 'sign' out, or choose scheme = "
+                     "only the scheme \"projection\" knows tension; leave 'sign' out, or choose scheme = "
                      "\"projection\" in [contact_solver]");
     pair.friction = reader.number("friction", not_negative).value_or(0);
     if (pair.friction > 0 && !rows)
         reader.error("friction",
                      "the scheme \"projection\" knows no friction; write scheme = \"joint\" in "
                      "[contact_solver], or leave 'friction' out");
+    if (pair.friction > 0 && scene.contact_solver.scheme == ContactScheme::massless)
+        reader.error(
+            "friction",
+            "contact nodes without mass have no slip to stop; leave 'friction' out, or choose another scheme "
+            "in [contact_solver]");
     pair.layer = read_layer(reader);
 }
 

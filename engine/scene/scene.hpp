@@ -207,6 +207,7 @@ enum class ContactScheme {
     joint,       ///< one nonnegative problem for all pairs that share nodes
     penalty,     ///< springs against penetration
     bipenalty,   ///< the same with inertia, so that they do not lower the critical step
+    massless,    ///< contact nodes without mass, where elements and contact forces balance
 };
 enum class ContactSign {
     restricted,    ///< no tensile contact force: C >= 0

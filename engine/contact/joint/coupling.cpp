@@ -12,6 +12,10 @@ namespace {
 /// rounding of the solution.
 constexpr double regularisation = 1e-8;
 
+/// A node is split off only where what is left moves each row by this part of the whole at least: held nodes
+/// on a free side would leave nothing but the regularisation.
+constexpr double left_to_rows = 1e-3;
+
 }  // namespace
 
 Coupling::Coupling(std::int32_t node_count, std::span<const std::int32_t> fixed)
@@ -62,7 +66,9 @@ bool Coupling::same_nodes(const RowSpan& rows, std::span<const std::int32_t> cho
 
 void Coupling::assemble(const RowSpan& rows, std::span<const std::int32_t> chosen, const double* inverse_mass,
                         double factor) {
-    if (!same_nodes(rows, chosen)) {
+    const bool same = same_nodes(rows, chosen);
+    if (splits_ && (!same || !split_.empty())) find_motions(rows, chosen, inverse_mass);
+    if (!same || !all_moved_enough()) {
         nodes_.clear();
         nodes_begin_.assign(1, 0);
         for (const std::int32_t k : chosen) {
@@ -144,7 +150,37 @@ void Coupling::restructure() {
     unit_.resize(nodes_.size());
 }
 
-/// Nodes of many rows, each of which keeps another node that moves.
+void Coupling::find_motions(const RowSpan& rows, std::span<const std::int32_t> chosen,
+                            const double* inverse_mass) {
+    motion_.clear();
+    for (const std::int32_t k : chosen)
+        for (const RowTerm& term : rows.terms(rows[static_cast<std::size_t>(k)])) {
+            const double* inverse = inverse_mass + 2 * term.node;
+            motion_.push_back(inverse[0] * term.g[0] * term.g[0] + inverse[1] * term.g[1] * term.g[1]);
+        }
+}
+
+/// Whether a row moves by its own nodes, without those that are split off.
+bool Coupling::moved_enough(std::int32_t row) const {
+    const auto first = static_cast<std::size_t>(nodes_begin_[static_cast<std::size_t>(row)]);
+    const auto nodes = nodes_of(row);
+    double own = 0, all = 0;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        all += motion_[first + k];
+        if (!is_split(nodes[k])) own += motion_[first + k];
+    }
+    return own >= left_to_rows * all;
+}
+
+bool Coupling::all_moved_enough() const {
+    if (split_.empty()) return true;
+    const auto rows = static_cast<std::int32_t>(nodes_begin_.size()) - 1;
+    for (std::int32_t row = 0; row < rows; ++row)
+        if (!moved_enough(row)) return false;
+    return true;
+}
+
+/// Nodes of many rows, each of which moves without them.
 void Coupling::find_split() {
     for (const Split& split : split_) sharing_[static_cast<std::size_t>(split.node)] = 0;
     split_.clear();
@@ -158,14 +194,9 @@ void Coupling::find_split() {
         split_.push_back({0, node});
     }
     if (split_.empty()) return;
-    for (const std::int32_t row : order_) {
-        const auto nodes = nodes_of(row);
-        const auto stays = [&](std::int32_t node) {
-            return !fixed_[static_cast<std::size_t>(node)] && !is_split(node);
-        };
-        if (std::any_of(nodes.begin(), nodes.end(), stays)) continue;
-        for (const std::int32_t node : nodes) sharing_[static_cast<std::size_t>(node)] = 0;
-    }
+    for (const std::int32_t row : order_)
+        if (!moved_enough(row))
+            for (const std::int32_t node : nodes_of(row)) sharing_[static_cast<std::size_t>(node)] = 0;
     std::erase_if(split_, [&](const Split& split) { return !is_split(split.node); });
 }
 

@@ -77,6 +77,9 @@ class Coupling {
     void link(std::span<const std::int32_t> order);
     void restructure();
     void find_split();
+    void find_motions(const RowSpan& rows, std::span<const std::int32_t> chosen, const double* inverse_mass);
+    [[nodiscard]] bool moved_enough(std::int32_t row) const;
+    [[nodiscard]] bool all_moved_enough() const;
     void sort_into_groups();
     void insert_split();
     void lay_out();
@@ -86,6 +89,7 @@ class Coupling {
     bool splits_ = true;
     std::vector<std::int32_t> sharing_;           ///< per node that is split off: its rows; 0: another
     std::vector<Split> split_;                    ///< in the order of their places
+    std::vector<double> motion_;                  ///< per term of the chosen rows: of a unit force [1/mass]
     std::vector<std::int32_t> waiting_, waited_;  ///< scratch: links of split nodes; rows in their order
     std::vector<Motion> motions_;
     std::vector<std::int32_t> nodes_,

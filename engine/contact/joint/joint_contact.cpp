@@ -60,6 +60,7 @@ JointContact::JointContact(const Scene& scene, const Mesh& mesh, ConditionOf con
     standing_.reserve(rows);
     coupling_.reserve(rows, terms);
     coupling_.split_off(solver_kind_ == ForceSolver::active_set);
+    rows_room_ = rows;
     solver_->reserve(rows, 32 * rows);
 }
 
@@ -69,6 +70,7 @@ void JointContact::change(const std::vector<double>&, const ContactSolver& solve
     solver_kind_ = solver.solver;
     coupling_.split_off(solver_kind_ == ForceSolver::active_set);
     solver_ = AnyNonnegativeSolver(make_solver(solver_kind_));
+    solver_->reserve(rows_room_, 32 * rows_room_);
 }
 
 std::size_t JointContact::add_surface(const Surface& surface) {
@@ -105,10 +107,10 @@ void JointContact::resolve(PredictedMotion& motion, RunStatistics& statistics) {
     timer.book(statistics.seconds.contact_search);
     largest_correction_ = 0;
     choose_rows();
-    if (!chosen_.empty()) {
+    if (!chosen_.empty() || solves_without_rows()) {
         do solve(motion, statistics.contact_solver);
         while (add_violated(motion));
-        correct(motion);
+        largest_correction_ = correct(motion);
     }
     remember();
     for (Pair& pair : pairs_)
@@ -147,7 +149,7 @@ void JointContact::find(const PredictedMotion& motion) {
         pair.rows_begin = rows_.size();
         const double range = pair.relative * std::max(1.0, longest_step_ / motion.dt);
         pair.builder->find(
-            {motion.nodes, motion.dt, std::max(range, pair.left_open), motion.dt * recovery_speed_,
+            {motion.nodes, motion.dt, std::max(range, pair.left_open) + reach_, motion.dt * recovery_speed_,
              pair.condition, pair.held.empty() ? nullptr : pair.held.data()},
             rows_);
         pair.rows_end = rows_.size();
@@ -207,8 +209,11 @@ void JointContact::solve_forces(ContactSolverStatistics& statistics) {
         statistics.iterations += rounds;
         statistics.most_iterations = std::max(statistics.most_iterations, rounds);
         statistics.fallbacks += solver_->relaxed();
-        statistics.rows += group.end - group.begin;
-        statistics.most_rows = std::max(statistics.most_rows, group.end - group.begin);
+        const auto rows = static_cast<int>(std::count_if(coupling_.order().begin() + group.begin,
+                                                         coupling_.order().begin() + group.end,
+                                                         [](std::int32_t row) { return row >= 0; }));
+        statistics.rows += rows;
+        statistics.most_rows = std::max(statistics.most_rows, rows);
     }
     for (std::size_t place = 0; place < coupling_.places(); ++place) {
         if (!coupling_.has_row(place)) continue;
@@ -245,7 +250,7 @@ void JointContact::add_impulse(const RowSpan& rows, const ContactRow& row, const
 }
 
 /// By how much the impulses so far open a row's gap within the step [length].
-double JointContact::opening(std::span<const RowTerm> terms, const PredictedMotion& motion) {
+double JointContact::opening(std::span<const RowTerm> terms, const PredictedMotion& motion) const {
     return motion.dt * along(terms, [&](std::int32_t node) {
                const double *inverse_mass = motion.inverse_mass + 2 * node,
                             *impulse = motion.impulse + 2 * node;
@@ -278,7 +283,7 @@ bool JointContact::add_violated(const PredictedMotion& motion) {
     return true;
 }
 
-void JointContact::correct(const PredictedMotion& motion) {
+double JointContact::correct(PredictedMotion& motion) {
     double largest = 0;
     for (const std::int32_t node : *motion.touched) {
         listed_[static_cast<std::size_t>(node)] = 0;
@@ -291,7 +296,7 @@ void JointContact::correct(const PredictedMotion& motion) {
         n.x[1] += motion.dt * y;
         largest = std::max(largest, x * x + y * y);
     }
-    largest_correction_ = std::sqrt(largest);
+    return std::sqrt(largest);
 }
 
 /// A row that had force keeps the gap that it was met at, until nothing can close it in the next step.
@@ -304,7 +309,9 @@ void JointContact::hold_gaps(Pair& pair) {
         const double held = pair.held[key];
         const bool stays = held >= 0 && -row.penetration <= pair.relative;
         if (row.force <= 0 && !stays) continue;
-        next_held_[key] = held >= 0 ? held : row.margin;
+        const double now = held >= 0 ? held : row.margin;
+        // Two faces of a valley share a key: neither may be pushed off for the other's gap.
+        next_held_[key] = next_held_[key] >= 0 ? std::min(next_held_[key], now) : now;
         pair.left_open = std::max(pair.left_open, next_held_[key]);
     }
     pair.held.swap(next_held_);
@@ -312,9 +319,9 @@ void JointContact::hold_gaps(Pair& pair) {
 
 void JointContact::remember() {
     for (Pair& pair : pairs_) {
-        if (!pair.held.empty()) hold_gaps(pair);
         const bool any = pair.rows_end > pair.rows_begin;
         if (!any && !pair.remembers) continue;  // one of many pairs that are far apart
+        if (!pair.held.empty()) hold_gaps(pair);
         pair.remembers = any;
         std::fill(pair.last.begin(), pair.last.end(), Last::not_in_problem);
         for (std::size_t k = pair.rows_begin; k < pair.rows_end; ++k)

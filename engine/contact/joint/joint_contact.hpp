@@ -59,14 +59,22 @@ class JointContact : public ContactMethod {
     static void clear_impulses(const PredictedMotion& motion);
     void add_impulses(const PredictedMotion& motion);
     void add_impulse(const RowSpan& rows, const ContactRow& row, const PredictedMotion& motion);
-    [[nodiscard]] static double opening(std::span<const RowTerm> terms, const PredictedMotion& motion);
+    /// By how much the forces found so far open a row within the step [length].
+    [[nodiscard]] virtual double opening(std::span<const RowTerm> terms, const PredictedMotion& motion) const;
+    /// Moves the nodes by what was found. @returns the largest change of a velocity.
+    virtual double correct(PredictedMotion& motion);
+    /// Whether contact moves nodes when nothing can touch, too.
+    [[nodiscard]] virtual bool solves_without_rows() const { return false; }
+    [[nodiscard]] char& expected(std::size_t row) { return expected_[row]; }  ///< BoundedSolver's standing
     /// The largest of the predicted penetrations in the problem; 0 when there is none [length].
     [[nodiscard]] double deepest_penetration() const;
     [[nodiscard]] bool has_row(std::size_t place) const { return coupling_.has_row(place); }
     [[nodiscard]] std::size_t row_index(std::size_t place) const;  ///< place in the matrix, that has one
+    [[nodiscard]] std::size_t rows_begin(std::size_t pair) const { return pairs_[pair].rows_begin; }
     [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
     [[nodiscard]] RowBuilder::Size size_of(std::size_t pair) const { return pairs_[pair].builder->size(); }
 
+    double reach_ = 0;                  ///< rows are found for as much more motion as this [length]
     double longest_step_ = 0;           ///< rows are found as if the step could be as long as this [time]
     ContactRows rows_;                  ///< all that could close in the step, pair by pair
     std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
@@ -95,7 +103,6 @@ class JointContact : public ContactMethod {
 
     std::size_t add_surface(const Surface& surface);
     void find(const PredictedMotion& motion);
-    void correct(const PredictedMotion& motion);
     void remember();
     void hold_gaps(Pair& pair);
 
@@ -107,6 +114,7 @@ class JointContact : public ContactMethod {
     std::vector<char> listed_;      ///< per node of the mesh: among the touched ones of this step
     AnyNonnegativeSolver solver_;
     ForceSolver solver_kind_;
+    std::size_t rows_room_ = 0;      ///< rows to make room for
     std::vector<double> next_held_;  ///< per key of a pair
     std::vector<double> force_;      ///< per place in the matrix
     std::vector<char> standing_;

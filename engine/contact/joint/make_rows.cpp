@@ -62,11 +62,16 @@ std::vector<std::int32_t> overlapping(const Scene& scene, const Mesh& mesh, cons
         low = low.cwiseMin(mesh.nodes[n]);
         high = high.cwiseMax(mesh.nodes[n]);
     }
+    const auto within_box = [&](const Vec2& x) {
+        return (x.array() >= low.array()).all() && (x.array() <= high.array()).all();
+    };
+    collect(within_box);
+    if (inside.empty()) return inside;
+    inside.clear();
     const SegmentTree tree(outline_segments(mesh, body));
     collect([&](const Vec2& x) {
-        if ((x.array() < low.array()).any() || (x.array() > high.array()).any() || tree.winding(x) == 0)
-            return false;
-        return tree.nearest(x, [](std::size_t) { return true; })->distance > tolerance;
+        return within_box(x) && tree.winding(x) != 0 &&
+               tree.nearest(x, [](std::size_t) { return true; })->distance > tolerance;
     });
     return inside;
 }

@@ -141,7 +141,10 @@ void NearSearch::find(const StepMotion& motion, ContactRows& rows) {
             }
         }
         const Closest closest = look(motion, m, x);
-        if (!(closest.distance < infinity)) continue;  // a diverged state has no closest side
+        if (!(closest.distance < infinity)) {  // faces nothing of its own surface, or the state diverged
+            memory.near = false;
+            continue;
+        }
         const Face face = face_of(motion, m, x, closest);
         const Face across = across_valley(motion, m, x, face);
         memory.allowance.see(std::min(face.gap(), across.gap()), 2 * motion.range);
@@ -161,7 +164,7 @@ void NearSearch::wake(const StepMotion& motion) {
         if (memory.free_until <= travelled_ + within) {
             const Point x = at_start(motion.nodes, master_.nodes[m], motion.dt);
             double distance = look(motion, static_cast<std::int32_t>(m), x).distance;
-            if (role_.self) distance = std::min(distance, within + faces_anew_after * mean_side_);
+            if (role_.self) distance = std::min(distance, sight(motion));
             memory.free_until = travelled_ + distance - end_tolerance * mean_side_;
             // Touches, though it is inside.
             if (memory.allowance.any() || memory.near) memory.free_until = travelled_;
@@ -209,6 +212,11 @@ bool NearSearch::counts(const StepMotion& motion, std::int32_t master, const Poi
            turned(before[0] + behind[0], before[1] + behind[1]);
 }
 
+/// How far a node looks for sides of its own surface: further, it looks again before it gets there.
+double NearSearch::sight(const StepMotion& motion) const {
+    return std::max(awake_within * mean_side_, 8 * motion.range) + faces_anew_after * mean_side_;
+}
+
 NearSearch::Closest NearSearch::look(const StepMotion& motion, std::int32_t master, const Point& x) {
     Memory& memory = memory_[static_cast<std::size_t>(master)];
     if (memory.closest >= 0) {
@@ -246,7 +254,8 @@ NearSearch::Closest NearSearch::look(const StepMotion& motion, std::int32_t mast
     const auto nearest = [&](const auto& counted) {
         return tree_.nearest(
             motion.nodes, slave_.sides, x[0], x[1], slave_travelled_,
-            [&](std::int32_t side) { return counted(side) && counts(motion, master, x, side); });
+            [&](std::int32_t side) { return counted(side) && counts(motion, master, x, side); },
+            role_.self ? sight(motion) : infinity);
     };
     memory.middle = nearest(AllSides{}).side;
     memory.closest = memory.middle;

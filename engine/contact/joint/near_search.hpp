@@ -85,6 +85,7 @@ class NearSearch {
     void measure(const Node* nodes);
     void wake(const StepMotion& motion);
     [[nodiscard]] bool alone_on(const SideView& view, const Memory& memory) const;
+    [[nodiscard]] double sight(const StepMotion& motion) const;
     [[nodiscard]] Closest look(const StepMotion& motion, std::int32_t master, const Point& x);
     enum class Corner { sharp, flat, valley };
     struct Face {

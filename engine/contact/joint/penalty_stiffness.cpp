@@ -42,7 +42,9 @@ PenaltyStiffness::PenaltyStiffness(const Scene& scene, const Mesh& mesh)
                 cell_of[key_of(corners[k], corners[(k + 1) % count])] = cell;
         }
         std::unordered_map<std::int32_t, std::pair<double, int>> sums;
-        for (const Side& side : make_surface(mesh, {body.name, "", {}}).sides) {
+        Surface outline = make_surface(mesh, {body.name, "", {}});
+        if (scene.geometry == Geometry::axisymmetric) drop_axis(outline, mesh);  // its sides have no area
+        for (const Side& side : outline.sides) {
             const Vec2 &i = mesh.nodes[static_cast<std::size_t>(side.i)],
                        &j = mesh.nodes[static_cast<std::size_t>(side.j)];
             const double radius = scene.geometry == Geometry::axisymmetric ? 0.5 * (i.x() + j.x()) : 1;

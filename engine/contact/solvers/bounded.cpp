@@ -54,7 +54,8 @@ int BoundedSolver::pivot(const Bounds& bounds, const ProfileMatrix& a, std::span
     gap_.resize(p.size());
     const auto first = static_cast<std::size_t>(begin), last = static_cast<std::size_t>(end);
     double deepest = 0;
-    for (std::size_t k = first; k < last; ++k) deepest = std::max(deepest, std::abs(p[k]));
+    for (std::size_t k = first; k < last; ++k)
+        if (!unbounded(a, k)) deepest = std::max(deepest, std::abs(p[k]));
     const double tolerance = gap_tolerance * deepest;
 
     std::size_t fewest_wrong = p.size() + 1;
@@ -100,7 +101,13 @@ int BoundedSolver::pivot(const Bounds& bounds, const ProfileMatrix& a, std::span
         }
         if (wrong_count == 0 && !conflict) return round;
         if (wrong_count == 0 || round >= limit) {
-            relax(bounds, a, p, c, begin, end);
+            relaxed_ = true;
+            if (may_relax_) {
+                relax(bounds, a, p, c, begin, end);
+            } else {
+                for (std::size_t k = first; k < last; ++k)
+                    if (!unbounded(a, k)) c[k] = std::clamp(c[k], bounds.lower(k), bounds.upper(k));
+            }
             return round;
         }
         if (wrong_count < fewest_wrong) {
@@ -144,7 +151,6 @@ void BoundedSolver::solve_between(const Bounds& bounds, const ProfileMatrix& a, 
 template <class Bounds>
 void BoundedSolver::relax(const Bounds& bounds, const ProfileMatrix& a, std::span<const double> p,
                           std::span<double> c, std::int32_t begin, std::int32_t end) {
-    relaxed_ = true;
     std::fill(c.begin() + begin, c.begin() + end, 0.0);
     unbounded_.clear();
     for (std::int32_t i = begin; i < end; ++i)

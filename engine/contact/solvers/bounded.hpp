@@ -34,6 +34,9 @@ class BoundedSolver final : public NonnegativeSolver {
     /// -limit <= C <= limit: friction forces. @param limit >= 0.
     int solve_within(std::span<const double> limit, const ProfileMatrix& a, std::span<const double> p,
                      std::span<char> standing, std::span<double> c, std::int32_t begin, std::int32_t end);
+    /// For matrices whose unbounded unknowns couple with each other, which relaxation does not know: where
+    /// the active set does not settle, the last forces are clipped to their bounds.
+    void never_relax() { may_relax_ = false; }
     /// Whether the last solve ended in projected Gauss-Seidel.
     [[nodiscard]] bool relaxed() const override { return relaxed_; }
     void reserve(std::size_t rows, std::size_t entries) override;
@@ -62,6 +65,7 @@ class BoundedSolver final : public NonnegativeSolver {
     std::vector<Unbounded> unbounded_;  // used by relax
     int dependent_ = 0;
     bool relaxed_ = false;
+    bool may_relax_ = true;
 };
 
 }  // namespace percuss

@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
                "44:18: 'recovery_speed' is 0; it must be > 0"},
         Broken{
             "[[contact]]", "[contact_solver]\nscheme = \"joint\"\n[[contact]]\nsign = \"unrestricted\"",
-            "36:8: the joint scheme knows no tension; leave 'sign' out, or choose scheme = \"projection\" in "
+            "36:8: only the scheme \"projection\" knows tension; leave 'sign' out, or choose scheme = \"projection\" in "
             "[contact_solver]"},
         Broken{slave, slave + "\nfriction = 0.2",
                "37:12: the scheme \"projection\" knows no friction; write scheme = \"joint\" in "

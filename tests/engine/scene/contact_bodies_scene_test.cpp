@@ -69,7 +69,7 @@ TEST(ContactBodies, FaultsAreToldWithTheirCure) {
     EXPECT_EQ(faults_of(with(both + "\nscheme = \"symetric\"")),
               "scene.toml:36:10: unknown contact scheme 'symetric'; did you mean 'symmetric'?");
     EXPECT_EQ(faults_of(changed(small_scene, roles, roles + "\nscheme = \"symmetric\"")),
-              "scene.toml:37:10: schemes of pairs belong to the joint problem; write scheme = \"joint\" in "
+              "scene.toml:37:10: the scheme \"projection\" knows no other rows; write scheme = \"joint\" in "
               "[contact_solver], or leave 'scheme' out");
 }
 
