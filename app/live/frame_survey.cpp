@@ -1,12 +1,15 @@
 #include "live/frame_survey.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "live/probe_curves.hpp"
 
 namespace percuss::app {
 
 void FrameSurvey::add(const RunSetup& setup, const Probe& probe) {
+    if (const std::string fault = fault_of_probe(setup.scene, setup.mesh, probe); !fault.empty())
+        throw std::invalid_argument(fault);
     Reader reader{probe, bind_probe(setup.scene, setup.mesh, probe), nullptr};
     std::vector<HistoryColumn> columns{{"time", Quantity::time}};
     for (const ProbeReading& reading : reader.readings)

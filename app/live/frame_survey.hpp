@@ -15,7 +15,7 @@ namespace percuss::app {
 /// time; the rows are read by any (History).
 class FrameSurvey {
   public:
-    /// Begins at the first frame. @pre the scene of `setup` has the probe's body and quantities.
+    /// Begins at the first frame. @throws std::invalid_argument with the text of fault_of_probe.
     void add(const RunSetup& setup, const Probe& probe);
     void remove(const std::string& name);
     /// The frame that is to be taken next; -1: every probe has all `frames`.

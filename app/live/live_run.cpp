@@ -195,7 +195,8 @@ void LiveRun::take_over(Built built) {
         timeline_.frames = recording_->times();
         timeline_.end = timeline_.frames.back();
         newest_ = snapshot_ = recording_->last_read();
-        for (const Probe& probe : probes_) recording_->add_probe(probe);
+        // The file may have been written anew, from another scene.
+        std::erase_if(probes_, [&](const Probe& probe) { return !add_to_recording(probe); });
         playhead_.look_at(timeline_.frames.front());
         return;
     }

@@ -178,6 +178,7 @@ class LiveRun {
         bool was_running = false;
         bool confirmed = false;
     };
+    bool add_to_recording(const Probe& probe);  // false, and a message, when it is refused
 
     EngineOptions options_;
     OpenRun open_run_;

@@ -59,7 +59,7 @@ class Recording {
     [[nodiscard]] bool reading() const;  ///< whether a frame that was asked for is not there yet
     [[nodiscard]] std::size_t bytes() const;
     /// Reads a probe off all frames, from the first one on, while nothing is asked for that is to be shown.
-    /// @pre the scene has its body and quantities.
+    /// @throws std::invalid_argument when the scene lacks its body or a quantity, or has a probe of its name.
     void add_probe(const Probe& probe);
     void remove_probe(const std::string& name);
     /// A row for each frame that was read so far.

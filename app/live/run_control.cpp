@@ -1,6 +1,7 @@
 // What a LiveRun does with the run that is there: run control, probes and time travel.
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "live/live_run.hpp"
@@ -15,8 +16,18 @@ constexpr double seconds_to_play_a_run = 10;
 void LiveRun::add_probe(Probe probe) {
     if (!engine_ && !recording_) return;
     if (engine_) engine_->post(command::AddProbe{probe});
-    if (recording_) recording_->add_probe(probe);
+    if (recording_ && !add_to_recording(probe)) return;
     probes_.push_back(std::move(probe));
+}
+
+bool LiveRun::add_to_recording(const Probe& probe) {
+    try {
+        recording_->add_probe(probe);
+    } catch (const std::invalid_argument& refusal) {
+        messages_.emplace_back(refusal.what());
+        return false;
+    }
+    return true;
 }
 
 void LiveRun::remove_probe(const std::string& name) {

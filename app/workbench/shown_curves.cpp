@@ -100,7 +100,7 @@ std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std
     if (!(low <= high)) return {0, 1};
     // Beside others of its kind it is nothing but rounding: a line at zero, in their unit.
     const double kin = plot.rate ? 0 : largest_of_kind(w, plot.quantity);
-    if (std::max(std::abs(low), std::abs(high)) <= 1e-12 * kin) return {-kin, kin};
+    if (kin > 0 && std::max(std::abs(low), std::abs(high)) <= 1e-12 * kin) return {-kin, kin};
     if (low == 0 && high == 0) return {-1, 1};
     if (low > 0 && low < 0.6 * high) low = 0;
     if (high < 0 && high > 0.6 * low) high = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -118,8 +120,6 @@ void write_outlines(const std::vector<Note>& notes, double scale, render::Canvas
     }
 }
 
-}  // namespace
-
 void write_time(const render::LiveView& view, const Snapshot& shown, double scale, render::Canvas& canvas) {
     const std::string time = time_words(shown);
     const render::TextStyle style = time_style(scale);
@@ -131,19 +131,25 @@ void write_time(const render::LiveView& view, const Snapshot& shown, double scal
     canvas.text(right, top, time, style);
 }
 
-std::vector<render::Rect> places_of_words(const Workbench& w, const render::LiveView& view,
-                                          const std::shared_ptr<const Snapshot>& shown, double scale,
-                                          render::Canvas& canvas) {
-    std::vector<render::Rect> places;
-    for (const Note& note : outline_notes(w, view, shown, scale, canvas)) places.push_back(note.plate);
-    return places;
+/// Which of several runs it is.
+struct Label {
+    std::string words;
+    render::Rect place;
+};
+
+render::TextStyle label_style(double scale) {
+    return {15 * scale, render::ink::text, render::Align::left, render::VerticalAlign::top, true};
 }
 
-void write_label(const render::LiveView& view, const std::string& label, double scale,
-                 render::Canvas& canvas) {
+Label label_in_corner(const render::LiveView& view, const std::string& words, double scale,
+                      render::Canvas& canvas) {
     const double pad = 10.5 * scale;
-    canvas.text(view.model().x + pad, view.model().top() - pad, label,
-                {15 * scale, render::ink::text, render::Align::left, render::VerticalAlign::top, true});
+    const auto [width, height] = canvas.text_size(words, label_style(scale));
+    return {words, {view.model().x + pad, view.model().top() - pad - height, width, height}};
+}
+
+void write_label(const Label& label, double scale, render::Canvas& canvas) {
+    canvas.text(label.place.x, label.place.top(), label.words, label_style(scale));
 }
 
 void paint_beneath(const Workbench& w, const render::LiveView& view,
@@ -156,12 +162,32 @@ void paint_beneath(const Workbench& w, const render::LiveView& view,
     mark_failure(view, *shown, scale, canvas);
 }
 
-void paint_above(const Workbench& w, const render::LiveView& view,
-                 const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas) {
+}  // namespace
+
+void paint_ink(const Workbench& w, const render::LiveView& view, const std::shared_ptr<const Snapshot>& shown,
+               double scale, render::Canvas& canvas) {
+    const std::vector<Note> notes = outline_notes(w, view, shown, scale, canvas);
+    std::vector<render::Rect> corners;
+    for (const Note& note : notes) corners.push_back(note.plate);
+    std::optional<Label> label;
+    if (!w.beside.empty()) {
+        label = label_in_corner(view, label_of(w.run), scale, canvas);
+        corners.push_back(label->place);
+    }
+    paint_beneath(w, view, shown, scale, canvas);
+    view.paint(canvas, std::move(corners));
     paint_marks(w, view, *shown, scale, canvas);
     write_time(view, *shown, scale, canvas);
-    if (!w.beside.empty()) write_label(view, label_of(w.run), scale, canvas);
-    write_outlines(outline_notes(w, view, shown, scale, canvas), scale, canvas);
+    if (label) write_label(*label, scale, canvas);
+    write_outlines(notes, scale, canvas);
+}
+
+void paint_ink_beside(const render::LiveView& view, const Snapshot& shown, const std::string& words,
+                      double scale, render::Canvas& canvas) {
+    const Label label = label_in_corner(view, words, scale, canvas);
+    view.paint(canvas, {label.place});
+    write_time(view, shown, scale, canvas);
+    write_label(label, scale, canvas);
 }
 
 }  // namespace percuss::app

@@ -3,25 +3,16 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "nearest_name.hpp"
 #include "solver.hpp"
 
 namespace percuss {
 
 void ProbeRecorder::add(const RunSetup& setup, const Probe& probe) {
-    const auto named = [&](const auto& other) { return other.name == probe.name; };
-    const bool taken =
-        std::any_of(setup.scene.probes.begin(), setup.scene.probes.end(), named) ||
-        std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return named(entry.probe); });
+    const bool taken = std::any_of(entries_.begin(), entries_.end(),
+                                   [&](const Entry& entry) { return entry.probe.name == probe.name; });
     if (taken) throw std::invalid_argument("there is a probe '" + probe.name + "' already");
-    std::vector<std::string> bodies;
-    for (const MeshBody& body : setup.mesh.bodies) bodies.push_back(body.name);
-    if (std::find(bodies.begin(), bodies.end(), probe.body) == bodies.end())
-        throw std::invalid_argument("probe '" + probe.name + "': unknown body '" + probe.body + "'" +
-                                    suggest_name(probe.body, bodies));
-    for (const std::string& quantity : probe.record)
-        if (const std::string fault = fault_of_field(setup.scene, "quantity", quantity); !fault.empty())
-            throw std::invalid_argument("probe '" + probe.name + "': " + fault);
+    if (const std::string fault = fault_of_probe(setup.scene, setup.mesh, probe); !fault.empty())
+        throw std::invalid_argument(fault);
 
     Entry entry{probe, bind_probe(setup.scene, setup.mesh, probe), {}, {}, nullptr};
     std::vector<HistoryColumn> columns{{"time", Quantity::time}};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "nearest_name.hpp"
+
 namespace percuss {
 namespace {
 
@@ -40,8 +42,24 @@ double read_node(const ProbeReading& reading, const Node& before, const Node& af
                                  mesh.nodes[static_cast<std::size_t>(reading.node)].data());
 }
 
+std::string fault_of_probe(const Scene& scene, const Mesh& mesh, const Probe& probe) {
+    for (const Probe& other : scene.probes)
+        if (other.name == probe.name) return "there is a probe '" + probe.name + "' already";
+    std::vector<std::string> bodies;
+    for (const MeshBody& body : mesh.bodies) bodies.push_back(body.name);
+    if (std::find(bodies.begin(), bodies.end(), probe.body) == bodies.end())
+        return "probe '" + probe.name + "': unknown body '" + probe.body + "'" +
+               suggest_name(probe.body, bodies);
+    for (const std::string& quantity : probe.record)
+        if (const std::string fault = fault_of_field(scene, "quantity", quantity); !fault.empty())
+            return "probe '" + probe.name + "': " + fault;
+    return "";
+}
+
 std::vector<ProbeReading> bind_probe(const Scene& scene, const Mesh& mesh, const Probe& probe) {
-    const auto node_at = [&](std::int32_t node) -> Vec2 { return mesh.nodes[static_cast<std::size_t>(node)]; };
+    const auto node_at = [&](std::int32_t node) -> Vec2 {
+        return mesh.nodes[static_cast<std::size_t>(node)];
+    };
     const auto centre_of = [&](std::int32_t cell) -> Vec2 {
         const Cell& corners = mesh.cells[static_cast<std::size_t>(cell)];
         const int count = corner_count(corners);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "elements/batch.hpp"
@@ -23,6 +24,9 @@ struct ProbeReading {
 [[nodiscard]] std::vector<ProbeReading> bind_probes(const Scene& scene, const Mesh& mesh);
 /// The same of one probe, which need not be the scene's. @pre the scene has its body and quantities.
 [[nodiscard]] std::vector<ProbeReading> bind_probe(const Scene& scene, const Mesh& mesh, const Probe& probe);
+/// Why a probe cannot be set beside the scene's own: they have its name, or the scene lacks its body or a
+/// quantity; "" when it can.
+[[nodiscard]] std::string fault_of_probe(const Scene& scene, const Mesh& mesh, const Probe& probe);
 
 /// The value of a cell field when a step begins. @pre the reading is of a cell.
 [[nodiscard]] double read_cell(const ProbeReading& reading, const std::vector<Batch>& batches,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "run/in_flight.hpp"
 #include "scene/parse.hpp"
 
 namespace percuss {
@@ -80,11 +81,12 @@ std::vector<std::string> scheme_overrides(const NamedScheme& scheme, const Scene
 std::vector<SchemeChoice> scheme_choices(const Scene& scene) {
     std::vector<SchemeChoice> choices;
     for (const NamedScheme& scheme : named_schemes()) {
-        SchemeChoice choice{scheme.name, "", false};
+        SchemeChoice choice{scheme.name, "", false, false};
         std::vector<std::string> overrides = scene.overrides;
         for (std::string& setting : scheme_overrides(scheme, scene)) overrides.push_back(std::move(setting));
         try {
             const Scene with = parse_scene(scene.text, scene.file, overrides);
+            choice.goes_on = effect_of_change(scene, with) != ChangeEffect::rebuild;
             choice.present = with.lagged == scene.lagged && with.contacts == scene.contacts &&
                              with.contact_solver == scene.contact_solver;
         } catch (const SceneError& error) {

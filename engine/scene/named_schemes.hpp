@@ -30,6 +30,7 @@ struct SchemeChoice {
     std::string name;
     std::string fault;     ///< why the scene cannot be read with it; "" when it can
     bool present = false;  ///< the scene is what it would be with it
+    bool goes_on = false;  ///< a run of the scene can go on with it; else it begins anew
 };
 /// One for each named scheme: the scene's text is read anew with each. @pre the scene was parsed.
 [[nodiscard]] std::vector<SchemeChoice> scheme_choices(const Scene& scene);

@@ -55,6 +55,17 @@ class CompareTest : public test::ProgramTest {
     }
 };
 
+TEST_F(CompareTest, TheReadmeListsTheSchemesAsTheHelpDoes) {
+    const std::string help = run({"compare", "--help"}).out;
+    const std::string readme = test::text_of(std::filesystem::path(PERCUSS_SOURCE_DIR) / "README.md");
+    std::istringstream lines(help.substr(help.find("Schemes:\n")));
+    std::string line, listed;
+    std::getline(lines, line);
+    while (std::getline(lines, line) && !line.empty()) listed += "  " + line + "\n";
+    EXPECT_THAT(listed, HasSubstr("    joint  "));
+    EXPECT_THAT(readme, HasSubstr("lists the schemes:\n\n" + listed + "\n"));
+}
+
 TEST_F(CompareTest, SchemesAndStepsOfOneSceneStandInOneTable) {
     const Outcome outcome = run({"compare", "scene.toml", "--schemes", "projection,joint", "--steps",
                                  "0.3,0.9", "--out", "page.png", "--csv", "table.csv"});

@@ -27,11 +27,8 @@ render::Image ViewCopy::draw(const Workbench& w, const std::shared_ptr<const Sna
         camera_.centre = *centre;
         view_->set_camera(camera_);
     }
-    return view_->picture(moment, size_, scale_, [&](render::Canvas& canvas) {
-        paint_beneath(w, *view_, moment, scale_, canvas);
-        view_->paint(canvas, places_of_words(w, *view_, moment, scale_, canvas));
-        paint_above(w, *view_, moment, scale_, canvas);
-    });
+    return view_->picture(moment, size_, scale_,
+                          [&](render::Canvas& canvas) { paint_ink(w, *view_, moment, scale_, canvas); });
 }
 
 }  // namespace percuss::app

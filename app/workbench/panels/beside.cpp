@@ -45,10 +45,9 @@ void show_one(Workbench& w, BesideView& beside, const PanelArea& area, const std
     ink.PushClipRect(low, high, true);
     draw_picture(*beside.view, beside.texture, area, ink);
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
-    beside.view->paint(canvas);
-    write_time(*beside.view, *beside.drawn, w.screen.scale(), canvas);
     const bool diverged = beside.run->run().status() == RunStatus::diverged;
-    write_label(*beside.view, beside.run->label() + (diverged ? ": diverged" : ""), w.screen.scale(), canvas);
+    paint_ink_beside(*beside.view, *beside.drawn, beside.run->label() + (diverged ? ": diverged" : ""),
+                     w.screen.scale(), canvas);
     ink.PopClipRect();
 }
 

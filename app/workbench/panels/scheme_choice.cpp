@@ -23,15 +23,19 @@ void show_scheme_choice(Workbench& w) {
                                   usable ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled))
                 w.run.set_all(scheme_overrides(scheme, scene));
             w.names.name("scheme." + choice.name);
-            tooltip(usable ? scheme.explanation : choice.fault);
+            tooltip(!usable ? choice.fault
+                            : scheme.explanation + (choice.present   ? ""
+                                                    : choice.goes_on ? "\nThe run goes on with it."
+                                                                     : "\nThe run begins anew with it."));
         }
         ImGui::EndCombo();
     }
     ImGui::SameLine(0, 1.2F * ImGui::GetFontSize());
-    line_of_text("contact scheme", false,
-                 "How contact is computed. Between projection and joint a run goes on; what else builds it "
-                 "anew.\n" +
-                     explain("contact scheme"));
+    line_of_text(
+        "contact scheme", false,
+        "How contact is computed. The list says with which schemes this run goes on and with which it "
+        "begins anew.\n" +
+            explain("contact scheme"));
 }
 
 }  // namespace percuss::app

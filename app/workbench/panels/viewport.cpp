@@ -167,10 +167,8 @@ void show_own_run(Workbench& w, const PanelArea& area) {
     ink.PushClipRect(low, high, true);
     draw_picture(*v.view, v.texture, area, ink);
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
-    paint_beneath(w, *v.view, v.drawn, w.screen.scale(), canvas);
-    v.view->paint(canvas, places_of_words(w, *v.view, v.drawn, w.screen.scale(), canvas));
     choose_sides(w);
-    paint_above(w, *v.view, v.drawn, w.screen.scale(), canvas);
+    paint_ink(w, *v.view, v.drawn, w.screen.scale(), canvas);
     ink.PopClipRect();
     ImGui::SetCursorScreenPos(low);
     ImGui::InvisibleButton("viewport", {area.width, area.height});

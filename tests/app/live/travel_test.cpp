@@ -12,6 +12,7 @@ namespace percuss::app {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 class TravelTest : public test::ProgramTest {
@@ -45,6 +46,8 @@ class TravelTest : public test::ProgramTest {
 
     class Sample final : public RunSource {
       public:
+        explicit Sample(std::shared_ptr<const RunSetup> setup = test::sample_setup())
+            : setup_(std::move(setup)) {}
         std::vector<double> frame_times() override { return {0, 0.1, 0.2, 0.3}; }
         std::shared_ptr<const Snapshot> frame(std::int64_t index) override {
             return std::make_shared<Snapshot>(test::sample_snapshot(setup_, static_cast<int>(index)));
@@ -57,7 +60,7 @@ class TravelTest : public test::ProgramTest {
         }
 
       private:
-        std::shared_ptr<const RunSetup> setup_ = test::sample_setup();
+        std::shared_ptr<const RunSetup> setup_;
     };
 
     std::unique_ptr<LiveRun> run_;
@@ -269,6 +272,42 @@ TEST_F(TravelTest, ARecordedRunIsLookedAtAndPlayed) {
     EXPECT_FALSE(run_->recorded());
     run_->open(folder_.path());
     EXPECT_TRUE(until([&] { return run_->recorded(); })) << "a directory with run.h5 in it";
+}
+
+TEST_F(TravelTest, AProbeThatTheFileHasNoPlaceForAnyMoreIsDropped) {
+    write("run.h5", "");
+    auto setup = std::make_shared<RunSetup>(*test::sample_setup());
+    LiveRun run({}, [&](const std::filesystem::path&) { return std::make_unique<Sample>(setup); });
+    const auto read = [&](int builds) {
+        for (int i = 0; i < 20000 && run.builds() < builds; ++i) {
+            run.update();
+            std::this_thread::sleep_for(1ms);
+        }
+        return run.builds() == builds;
+    };
+    run.open(path("run.h5"));
+    ASSERT_TRUE(read(1));
+    run.add_probe({"a", "striker", Vec2(1, 0), {"velocity.y"}, {}});
+    run.add_probe({"b", "anvil", Vec2(1, 0), {"velocity.y"}, {}});
+    run.add_probe({"c", "anvil", Vec2(1, 0), {"velocity.y"}, {}});
+    ASSERT_EQ(run.probe_rows().size(), 3U);
+    EXPECT_TRUE(run.messages().empty());
+
+    setup = std::make_shared<RunSetup>(*setup);  // the scene was changed and run again
+    setup->mesh.bodies[0].name = "hammer";
+    setup->scene.probes = {{"c", "anvil", Vec2(1, 0), {"velocity.y"}, {}}};
+    run.reload();
+    ASSERT_TRUE(read(2));
+    ASSERT_EQ(run.probes().size(), 1U);
+    EXPECT_EQ(run.probes()[0].name, "b");
+    EXPECT_EQ(run.probe_rows().size(), 1U);
+    EXPECT_THAT(run.messages(),
+                ElementsAre(HasSubstr("unknown body 'striker'"), HasSubstr("a probe 'c' already")));
+
+    run.dismiss_messages();
+    run.add_probe({"d", "striker", Vec2(1, 0), {"velocity.y"}, {}});
+    EXPECT_EQ(run.probes().size(), 1U);
+    EXPECT_THAT(run.messages(), ElementsAre(HasSubstr("unknown body 'striker'")));
 }
 
 TEST_F(TravelTest, ADirectoryWithoutARunIsRefused) {

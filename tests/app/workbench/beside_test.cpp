@@ -78,6 +78,33 @@ screenshot both.png
     EXPECT_NEAR(drawn(other), drawn(own), 0.05 * drawn(own)) << "both halves of both";
 }
 
+TEST_F(BesideWindowTest, LabelsOfBodiesKeepOffThoseOfTheRuns) {
+    play(R"(
+wait time = 0
+frames 3
+click run.step
+wait steps = 1
+wait beside.busy = 0
+do view.fit
+drag viewport 0.5 0.5 0.12 0.5
+move run.toggle
+frames 3
+widgets
+screenshot both.png
+)",
+         {"--beside", "parameters.speed=2"});
+    const render::Image image = render::read_png(path("both.png"));
+    for (const char* viewport : {"viewport", "viewport.beside.1"}) {
+        const Place place = widgets_[viewport];
+        int velocity_ink = 0;  // where the run's label is
+        for (int y = place[1] + 10; y < place[1] + 28; ++y)
+            for (int x = place[0] + 10; x < place[0] + 60; ++x)
+                velocity_ink += test::near(
+                    image.pixels.data() + 3 * (static_cast<std::size_t>(y) * image.width + x), 0x12324f);
+        EXPECT_EQ(velocity_ink, 0) << viewport;
+    }
+}
+
 TEST_F(BesideWindowTest, ADesignStaysBesideWhileTheOtherIsChanged) {
     play(R"(
 wait time = 0

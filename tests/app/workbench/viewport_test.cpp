@@ -261,5 +261,23 @@ screenshot told.png
     EXPECT_GT(count("events.png", "plots.events", first_curve), 20);
 }
 
+TEST_F(ViewportTest, CurvesThatAreZeroAllTheTimeAreDrawn) {
+    play(R"(
+wait time = 0
+set parameters.speed 0
+wait builds = 2
+do run.toggle
+wait status = finished
+click plots.events.title
+move run.toggle
+frames 2
+widgets
+screenshot zero.png
+)");
+    constexpr unsigned on_grid = 0x4999c6;  // the first curve's colour, over the line of the grid at zero
+    EXPECT_GT(count("zero.png", "plots.forces.y", on_grid), 100);
+    EXPECT_GT(count("zero.png", "plots.events", on_grid), 100);
+}
+
 }  // namespace
 }  // namespace percuss

@@ -95,5 +95,20 @@ TEST(NamedSchemes, TellWhichASceneCannotTake) {
     EXPECT_THAT(choice(choices, "projection").fault, HasSubstr("knows no friction"));
 }
 
+TEST(NamedSchemes, TellWithWhichARunGoesOn) {
+    const auto goes_on = [](const char* from, const char* to) {
+        const Scene plain = parse_scene(small_scene, "scene.toml");
+        const Scene scene =
+            parse_scene(small_scene, "scene.toml", scheme_overrides(*find_scheme(from), plain));
+        return choice(scheme_choices(scene), to).goes_on;
+    };
+    EXPECT_TRUE(goes_on("projection", "joint"));
+    EXPECT_TRUE(goes_on("symmetric", "penalty"));
+    EXPECT_TRUE(goes_on("bipenalty", "symmetric"));
+    EXPECT_FALSE(goes_on("joint", "symmetric")) << "other contact rows";
+    EXPECT_FALSE(goes_on("symmetric", "velocity")) << "another level";
+    EXPECT_FALSE(goes_on("lagged", "projection"));
+}
+
 }  // namespace
 }  // namespace percuss
