@@ -65,7 +65,7 @@ TEST(VelocityLevel, AddsEnergyOfSecondOrderInTheStep) {
         return run.solver.statistics().maximum_growth;
     };
     const double coarse = growth(0.9), fine = growth(0.3);
-    EXPECT_LT(coarse, 6e-5) << "J, of 0.16";
+    EXPECT_LT(coarse, 6e-5) << "of the initial energy";
     EXPECT_LT(fine, 1.5 * coarse / 9);
 }
 
