@@ -32,6 +32,12 @@ std::vector<std::string> fuzzy_matches(const std::string& typed, const std::vect
         if (const auto wide = spread(typed, candidates[i]))
             found.emplace_back(*wide, typed.empty() ? 0 : candidates[i].size(), i);
     std::sort(found.begin(), found.end());
+    // A folder lists what is in it by name.
+    if (typed.ends_with('/'))
+        std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+            return std::tie(std::get<0>(a), candidates[std::get<2>(a)]) <
+                   std::tie(std::get<0>(b), candidates[std::get<2>(b)]);
+        });
     std::vector<std::string> matches;
     for (const auto& [wide, length, index] : found) matches.push_back(candidates[index]);
     return matches;

@@ -195,6 +195,7 @@ void LiveRun::take_over(Built built) {
         timeline_.frames = recording_->times();
         timeline_.end = timeline_.frames.back();
         newest_ = snapshot_ = recording_->last_read();
+        for (const Probe& probe : probes_) recording_->add_probe(probe);
         playhead_.look_at(timeline_.frames.front());
         return;
     }

@@ -52,8 +52,8 @@ class LiveRun {
     /// The value set for a key, if any.
     [[nodiscard]] std::optional<std::string> setting(const std::string& key) const;
 
-    /// Reads quantities at a place from now on (command::AddProbe). Runs that replace this one of the same
-    /// file read it, too, from their start.
+    /// Reads quantities at a place from now on (command::AddProbe); in a recorded run in all its frames, one
+    /// after the other. Runs that replace this one of the same file read it, too, from their start.
     void add_probe(Probe probe);
     void remove_probe(const std::string& name);
     /// Those that were added, in this order.
@@ -104,6 +104,8 @@ class LiveRun {
     [[nodiscard]] bool recorded() const { return recording_ != nullptr; }
     /// Whether a frame that is to be shown is still being read from the disk.
     [[nodiscard]] bool reading() const { return recording_ && recording_->reading(); }
+    /// Whether probes of a recorded run have frames yet to come.
+    [[nodiscard]] bool reading_probes() const { return recording_ && recording_->reading_probes(); }
     [[nodiscard]] bool building() const { return building_.has_value(); }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     /// The moment that is shown, as of the last update(); null before the first scene is there.

@@ -18,8 +18,9 @@ struct ProbeCurve {
     std::shared_ptr<Curves> curves;      ///< column 0 is time, k + 1 the quantity k
 };
 
-/// The curves of the window's probes: before a probe was set they are read off the kept moments of the run,
-/// where the velocity of a node is half a step older; from then on they have every step.
+/// The curves of the window's probes. Of recorded runs they have every frame. Of others: before a probe was
+/// set they are read off the kept moments of the run, where the velocity of a node is half a step older; from
+/// then on they have every step.
 class ProbeCurves {
   public:
     /// Takes over what came since the last call. @returns whether there are other probes or places now.

@@ -70,6 +70,27 @@ std::size_t Recording::bytes() const {
     return bytes_;
 }
 
+void Recording::add_probe(const Probe& probe) {
+    const std::lock_guard lock(mutex_);
+    survey_.add(*last_read_->setup, probe);
+    asked_.notify_all();
+}
+
+void Recording::remove_probe(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    survey_.remove(name);
+}
+
+bool Recording::reading_probes() const {
+    const std::lock_guard lock(mutex_);
+    return survey_.next(static_cast<std::int64_t>(times_.size())) >= 0;
+}
+
+std::vector<SetProbe> Recording::probes() const {
+    const std::lock_guard lock(mutex_);
+    return survey_.probes();
+}
+
 std::vector<std::string> Recording::take_messages() {
     const std::lock_guard lock(mutex_);
     return std::exchange(messages_, {});
@@ -99,12 +120,37 @@ void Recording::keep(std::int64_t index, std::shared_ptr<const Snapshot> frame) 
     }
 }
 
+void Recording::survey(std::unique_lock<std::mutex>& lock, std::int64_t index) {
+    std::shared_ptr<const Snapshot> frame;
+    if (const auto found = kept_.find(index); found != kept_.end()) {
+        frame = found->second.frame;
+    } else if (!damaged_.contains(index)) {
+        std::string fault;
+        lock.unlock();
+        try {
+            frame = source_->frame(index);
+        } catch (const std::exception& error) {
+            fault = error.what();
+        }
+        lock.lock();
+        if (!frame) {
+            damaged_.insert(index);
+            messages_.push_back(std::move(fault));
+        }
+    }
+    survey_.take(index, frame.get());
+}
+
 void Recording::serve() {
     std::unique_lock lock(mutex_);
     while (!stop_) {
         const std::int64_t next = next_to_read();
         if (next < 0) {
-            asked_.wait(lock);
+            const std::int64_t surveyed = survey_.next(static_cast<std::int64_t>(times_.size()));
+            if (surveyed >= 0)
+                survey(lock, surveyed);
+            else
+                asked_.wait(lock);
             continue;
         }
         lock.unlock();

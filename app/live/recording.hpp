@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "live/frame_survey.hpp"
 #include "run/history.hpp"
 #include "run/snapshot.hpp"
 #include "run/trace.hpp"
@@ -57,6 +58,13 @@ class Recording {
     [[nodiscard]] std::shared_ptr<const Snapshot> last_read() const;
     [[nodiscard]] bool reading() const;  ///< whether a frame that was asked for is not there yet
     [[nodiscard]] std::size_t bytes() const;
+    /// Reads a probe off all frames, from the first one on, while nothing is asked for that is to be shown.
+    /// @pre the scene has its body and quantities.
+    void add_probe(const Probe& probe);
+    void remove_probe(const std::string& name);
+    /// A row for each frame that was read so far.
+    [[nodiscard]] std::vector<SetProbe> probes() const;
+    [[nodiscard]] bool reading_probes() const;  ///< whether there are frames that a probe has not seen
     /// What could not be read, oldest first; emptied by the call.
     [[nodiscard]] std::vector<std::string> take_messages();
 
@@ -67,7 +75,8 @@ class Recording {
         std::int64_t asked = 0;  // when, by count
     };
     void serve();
-    [[nodiscard]] std::int64_t next_to_read() const;  // -1: nothing
+    [[nodiscard]] std::int64_t next_to_read() const;                      // to be kept; -1: nothing
+    void survey(std::unique_lock<std::mutex>& lock, std::int64_t index);  // the lock is held before and after
     void keep(std::int64_t index, std::shared_ptr<const Snapshot> frame);
     [[nodiscard]] bool at_hand(std::int64_t index) const {
         return kept_.contains(index) || damaged_.contains(index);
@@ -88,6 +97,7 @@ class Recording {
     std::size_t bytes_ = 0;
     std::int64_t asked_for_ = 0, asks_ = 0;
     std::vector<std::string> messages_;
+    FrameSurvey survey_;
     bool stop_ = false;
     std::thread thread_;
 };

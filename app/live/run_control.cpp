@@ -13,17 +13,20 @@ constexpr double seconds_to_play_a_run = 10;
 }  // namespace
 
 void LiveRun::add_probe(Probe probe) {
-    if (!engine_) return;
-    engine_->post(command::AddProbe{probe});
+    if (!engine_ && !recording_) return;
+    if (engine_) engine_->post(command::AddProbe{probe});
+    if (recording_) recording_->add_probe(probe);
     probes_.push_back(std::move(probe));
 }
 
 void LiveRun::remove_probe(const std::string& name) {
     if (engine_) engine_->post(command::RemoveProbe{name});
+    if (recording_) recording_->remove_probe(name);
     std::erase_if(probes_, [&](const Probe& probe) { return probe.name == name; });
 }
 
 std::vector<SetProbe> LiveRun::probe_rows() const {
+    if (recording_) return recording_->probes();
     return engine_ ? engine_->probes() : std::vector<SetProbe>{};
 }
 

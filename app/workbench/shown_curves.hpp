@@ -22,4 +22,13 @@ namespace percuss::app {
 /// In which a plot's numbers read best; a rate is per unit of the time axis.
 [[nodiscard]] DisplayUnit unit_of(const Workbench& w, const PlotInfo& plot, double largest);
 
+/// Least and greatest of what a plot shows within these times, with a little room; zero is kept in sight when
+/// it is near. @param width that rates are drawn on [pixels].
+[[nodiscard]] std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot,
+                                                 const std::array<double, 2>& times, float width);
+/// The history that a curve is of.
+[[nodiscard]] Curves& curves_of(PlotsState& state, const CurveInfo& curve);
+/// Points that a rate is drawn with on so many pixels.
+[[nodiscard]] int parts_of_rate(float width);
+
 }  // namespace percuss::app

@@ -54,10 +54,6 @@ void take_setup(Workbench& w, const std::shared_ptr<const RunSetup>& setup) {
 }  // namespace
 
 void add_probe_at(Workbench& w, const render::Picked& place, const std::string& field) {
-    if (!w.run.has_engine()) {
-        w.tell("only a run that goes on can read probes");
-        return;
-    }
     const RunSetup& setup = *w.run.snapshot()->setup;
     Probe probe;
     probe.name = free_probe_name(setup.scene, w.run.probes());

@@ -47,44 +47,96 @@ void mark_failure(const render::LiveView& view, const Snapshot& shown, double sc
     }
 }
 
-/// Whose outlines they are, and when.
-void write_outlines(const Workbench& w, const render::LiveView& view,
-                    const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas) {
-    const Units& units = shown->setup->scene.units;
-    const double left = view.model().x + 12 * scale;
-    double y = view.model().top() - (w.beside.empty() ? 18 : 42) * scale;  // under the label
-    const auto line = [&](const std::string& words, render::Colour colour) {
-        canvas.line(left, y, left + 21 * scale, y, colour, 2 * scale);
-        canvas.text(
-            left + 28 * scale, y, words,
-            {13 * scale, render::ink::text, render::Align::left, render::VerticalAlign::centre, false});
-        y -= 20 * scale;
-    };
-    if (const auto moment = reference_at(w, shown)) {
-        const Curves& curves = w.reference->curves;
-        const bool ended = moment->time < shown->time && curves.rows() > 0 &&
-                           curves.times()[curves.rows() - 1] < shown->time;
-        line(ended ? fmt::format("reference, ended at {}", quantity_text(units, Quantity::time, moment->time))
-                   : "reference",
-             reference_colour);
-    }
-    if (const auto moment = ghost_at(w, shown))
-        line(fmt::format("design before, at {}", quantity_text(units, Quantity::time, moment->time)),
-             ghost_colour);
+/// Words in a corner of the picture.
+struct Note {
+    std::string words;
+    render::Colour colour;  // of the line before them
+    render::Rect plate;     // beneath both
+};
+
+constexpr double plate_opacity = 0.75;
+
+render::TextStyle time_style(double scale) {
+    return {15 * scale, render::ink::text, render::Align::right, render::VerticalAlign::top, true};
 }
 
-}  // namespace
-
-void write_time(const render::LiveView& view, const Snapshot& shown, double scale, render::Canvas& canvas) {
+std::string time_words(const Snapshot& shown) {
     const Scene& scene = shown.setup->scene;
     const DisplayUnit unit = scene.units.display(Quantity::time, scene.duration);
     const double largest = unit.scale * scene.duration;
     const int decimals =
         largest > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6) : 1;
-    const std::string time = fmt::format("t = {:.{}f} {}", unit.scale * shown.time, decimals, unit.label);
-    const double pad = 10.5 * scale;
-    canvas.text(view.model().right() - pad, view.model().top() - pad, time,
-                {15 * scale, render::ink::text, render::Align::right, render::VerticalAlign::top, true});
+    return fmt::format("t = {:.{}f} {}", unit.scale * shown.time, decimals, unit.label);
+}
+
+render::TextStyle note_style(double scale) {
+    return {13 * scale, render::ink::text, render::Align::left, render::VerticalAlign::centre, false};
+}
+
+/// Whose outlines they are, and when.
+std::vector<Note> outline_notes(const Workbench& w, const render::LiveView& view,
+                                const std::shared_ptr<const Snapshot>& shown, double scale,
+                                render::Canvas& canvas) {
+    const Units& units = shown->setup->scene.units;
+    std::vector<Note> notes;
+    if (const auto moment = reference_at(w, shown)) {
+        const Curves& curves = w.reference->curves;
+        const bool ended = moment->time < shown->time && curves.rows() > 0 &&
+                           curves.times()[curves.rows() - 1] < shown->time;
+        const std::string when = quantity_text(units, Quantity::time, moment->time);
+        notes.push_back(
+            {ended ? fmt::format("reference, ended at {}", when) : "reference", reference_colour, {}});
+    }
+    if (const auto moment = ghost_at(w, shown))
+        notes.push_back(
+            {fmt::format("design before, at {}", quantity_text(units, Quantity::time, moment->time)),
+             ghost_colour,
+             {}});
+    const double left = view.model().x + 12 * scale, row = 20 * scale;
+    const double time_left =
+        view.model().right() - 18 * scale - canvas.text_size(time_words(*shown), time_style(scale))[0];
+    double y = view.model().top() - (w.beside.empty() ? 18 : 42) * scale;  // under the label
+    for (Note& note : notes)
+        note.plate = {left - 4 * scale, 0, 36 * scale + canvas.text_size(note.words, note_style(scale))[0],
+                      row};
+    const bool clash = std::any_of(notes.begin(), notes.end(),
+                                   [&](const Note& note) { return note.plate.right() > time_left; });
+    if (clash && w.beside.empty()) y -= 24 * scale;  // under the time
+    for (Note& note : notes) {
+        note.plate.y = y - 0.5 * row;
+        y -= row;
+    }
+    return notes;
+}
+
+void write_outlines(const std::vector<Note>& notes, double scale, render::Canvas& canvas) {
+    for (const auto& [words, colour, plate] : notes) {
+        const double left = plate.x + 4 * scale, y = plate.y + 0.5 * plate.height;
+        canvas.rectangle(plate, render::ink::white, plate_opacity);
+        canvas.line(left, y, left + 21 * scale, y, colour, 2 * scale);
+        canvas.text(left + 28 * scale, y, words, note_style(scale));
+    }
+}
+
+}  // namespace
+
+void write_time(const render::LiveView& view, const Snapshot& shown, double scale, render::Canvas& canvas) {
+    const std::string time = time_words(shown);
+    const render::TextStyle style = time_style(scale);
+    const double pad = 10.5 * scale, rim = 3 * scale;
+    const double right = view.model().right() - pad, top = view.model().top() - pad;
+    const auto [width, height] = canvas.text_size(time, style);
+    canvas.rectangle({right - width - rim, top - height - rim, width + 2 * rim, height + 2 * rim},
+                     render::ink::white, plate_opacity);
+    canvas.text(right, top, time, style);
+}
+
+std::vector<render::Rect> places_of_words(const Workbench& w, const render::LiveView& view,
+                                          const std::shared_ptr<const Snapshot>& shown, double scale,
+                                          render::Canvas& canvas) {
+    std::vector<render::Rect> places;
+    for (const Note& note : outline_notes(w, view, shown, scale, canvas)) places.push_back(note.plate);
+    return places;
 }
 
 void write_label(const render::LiveView& view, const std::string& label, double scale,
@@ -109,7 +161,7 @@ void paint_above(const Workbench& w, const render::LiveView& view,
     paint_marks(w, view, *shown, scale, canvas);
     write_time(view, *shown, scale, canvas);
     if (!w.beside.empty()) write_label(view, label_of(w.run), scale, canvas);
-    write_outlines(w, view, shown, scale, canvas);
+    write_outlines(outline_notes(w, view, shown, scale, canvas), scale, canvas);
 }
 
 }  // namespace percuss::app

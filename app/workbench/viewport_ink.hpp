@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "workbench/workbench.hpp"
 
@@ -18,6 +19,10 @@ void write_time(const render::LiveView& view, const Snapshot& shown, double scal
 /// Which of several runs it is, in the upper left corner.
 void write_label(const render::LiveView& view, const std::string& label, double scale,
                  render::Canvas& canvas);
+/// Where paint_above writes whose outlines they are, for LiveView::paint.
+[[nodiscard]] std::vector<render::Rect> places_of_words(const Workbench& w, const render::LiveView& view,
+                                                        const std::shared_ptr<const Snapshot>& shown,
+                                                        double scale, render::Canvas& canvas);
 /// Contact surfaces and probes; the time, in the upper right corner; in the left one whose outlines they are.
 void paint_above(const Workbench& w, const render::LiveView& view,
                  const std::shared_ptr<const Snapshot>& shown, double scale, render::Canvas& canvas);

@@ -95,7 +95,11 @@ class Workbench {
     [[nodiscard]] std::optional<Value> value(const std::string& name) const;
     [[nodiscard]] static std::vector<std::string> value_names();
 
-    void open(const std::filesystem::path& file) { run.open(file); }
+    /// A scene picker that stands open would hide what it opens.
+    void open(const std::filesystem::path& file) {
+        pick_scene = false;
+        run.open(file);
+    }
     /// Another run of the scene, beside the one that is shown. @param overrides all that it is given.
     void add_beside(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                     const std::string& label);

@@ -17,9 +17,18 @@ ImVec2 point(double x, double y) { return {static_cast<float>(x), static_cast<fl
 
 }  // namespace
 
+namespace {
+
+/// Letters are sharp in the size that the font was loaded in; only much smaller ones are drawn smaller.
+float letter_size(const ImFont& font, const TextStyle& style) {
+    return style.size < 0.82 * font.FontSize ? static_cast<float>(style.size) : font.FontSize;
+}
+
+}  // namespace
+
 std::array<double, 2> DrawListCanvas::text_size(const std::string& words, const TextStyle& style) {
     const ImFont* font = style.bold ? fonts_.bold : fonts_.plain;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, words.c_str());
+    const ImVec2 size = font->CalcTextSizeA(letter_size(*font, style), FLT_MAX, 0, words.c_str());
     return {size.x, size.y};
 }
 
@@ -34,8 +43,9 @@ void DrawListCanvas::text(double x, double y, const std::string& words, const Te
                           : style.vertical == VerticalAlign::top  ? y - 0.5 * height
                                                                   : y;
     ImFont* font = style.bold ? fonts_.bold : fonts_.plain;
-    list_.AddText(font, font->FontSize, point(std::round(left), std::round(bottom_ - middle - 0.5 * height)),
-                  packed(style.colour), words.c_str());
+    list_.AddText(font, letter_size(*font, style),
+                  point(std::round(left), std::round(bottom_ - middle - 0.5 * height)), packed(style.colour),
+                  words.c_str());
 }
 
 void DrawListCanvas::line(double x0, double y0, double x1, double y1, Colour colour, double width) {

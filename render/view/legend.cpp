@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,24 @@ vtkSmartPointer<vtkImageData> colour_strip(vtkLookupTable& table) {
     return strip;
 }
 
+namespace {
+
+/// Where two numbers alone would leave the ends of a short bar unsaid, as many as have room side by side.
+Ticks bar_ticks(Canvas& canvas, double low, double high, double width, double scale) {
+    const int wanted = std::max(2, static_cast<int>(width / (75 * scale)));
+    Ticks ticks = make_ticks(low, high, wanted);
+    for (int more = 6; more > wanted && ticks.values.size() < 3; --more) {
+        Ticks closer = make_ticks(low, high, more);
+        double room = width;
+        for (const std::string& label : closer.labels)
+            room -= canvas.text_size(label, {13 * scale})[0] + 8 * scale;
+        if (room > 0) ticks = std::move(closer);
+    }
+    return ticks;
+}
+
+}  // namespace
+
 void paint_colour_bar(Canvas& canvas, const Rect& rect, double scale, const std::string& title,
                       Quantity quantity, const ColourRange& range, const Units& units, vtkImageData* strip) {
     const DisplayUnit unit = units.display(quantity, std::max(std::abs(range[0]), std::abs(range[1])));
@@ -30,7 +49,7 @@ void paint_colour_bar(Canvas& canvas, const Rect& rect, double scale, const std:
     canvas.text(rect.x, bar.top() + 14 * scale, heading, {14 * scale});
     canvas.image(bar, strip);
     const double low = unit.scale * range[0], high = unit.scale * range[1];
-    const Ticks ticks = make_ticks(low, high, std::max(2, static_cast<int>(rect.width / (75 * scale))));
+    const Ticks ticks = bar_ticks(canvas, low, high, rect.width, scale);
     // A constant field is drawn in the middle colour.
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
         const double x =
@@ -60,7 +79,7 @@ void paint_force_legend(Canvas& canvas, const Rect& rect, double scale, const Fo
     word(", ", ink::text, false);
     word("slave", slave_force_colour, true);
     if (!(forces.reference > 0)) {
-        canvas.text(rect.x, middle, "none yet", {13 * scale, ink::soft});
+        canvas.text(rect.x, middle, "none now", {13 * scale, ink::soft});
         return;
     }
     canvas.arrow(rect.x, middle, forces.reference_length, 0, master_force_colour, 2.4 * scale);

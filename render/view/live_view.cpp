@@ -23,6 +23,13 @@
 #include "vtk_canvas.hpp"
 
 namespace percuss::render {
+namespace {
+
+// Legend: width from which bar, reference arrow and scale bar stand in one row, and how far above the bar the
+// arrow stands else. Both at scale 1 [pixels].
+constexpr double room_for_arrows = 500, arrows_lift = 50;
+
+}  // namespace
 
 struct LiveView::Impl {
     Impl(Context& context, std::shared_ptr<const RunSetup> run)
@@ -73,6 +80,8 @@ struct LiveView::Impl {
     double scale = 1, cell_size = 0;
     std::array<int, 2> size{64, 64};
     ForceScaling forces;
+    bool arrows_above = false;  // the reference arrow has a row of its own in the legend
+    [[nodiscard]] bool shows_forces() const { return options.forces && !setup->scene.contacts.empty(); }
     std::optional<double> fold_at;  // the axis, when the texture has one side of it only [pixels]
 };
 
@@ -118,7 +127,12 @@ void LiveView::Impl::prepare(std::shared_ptr<const Snapshot> snapshot, std::arra
     scale = ink_scale;
     window->resize(size[0], size[1]);
     mesh.extent->follow(*now, mesh.plane);
-    const double legend_height = std::min(70 * scale, 0.4 * size[1]), pad = 16 * scale;
+    const double pad = 16 * scale, row = 70 * scale;
+    const double width = size[0] - 2 * pad;
+    // In a narrow picture that is high the reference arrow stands above the colour bar.
+    arrows_above =
+        shows_forces() && width <= room_for_arrows * scale && width > 225 * scale && size[1] > 370 * scale;
+    const double legend_height = std::min(arrows_above ? row + arrows_lift * scale : row, 0.4 * size[1]);
     legend = {pad, 0, size[0] - 2 * pad, legend_height};
     model = {0, legend_height, static_cast<double>(size[0]), size[1] - legend_height};
     if (camera) {
@@ -215,21 +229,23 @@ Image LiveView::picture(std::shared_ptr<const Snapshot> snapshot, std::array<int
 
 void LiveView::take_scales(const LiveView& other) { impl_->mesh.extent = other.impl_->mesh.extent; }
 
-void LiveView::paint(Canvas& canvas) const {
+void LiveView::paint(Canvas& canvas, std::vector<Rect> corners) const {
     const Impl& view = *impl_;
     const Scene& scene = view.setup->scene;
     const double s = view.scale;
     const Rect& legend = view.legend;
     // What has no room is left out, the reference arrow first.
-    const bool arrows = view.options.forces && !scene.contacts.empty() && legend.width > 500 * s;
+    const bool arrows = view.shows_forces() && legend.width > room_for_arrows * s;
     const bool length = legend.width > 300 * s;
     const double column = std::min(
         {420 * s, arrows ? 0.36 * legend.width : 0.6 * legend.width, legend.width - (arrows ? 380 * s : 0)});
     paint_colour_bar(canvas, {legend.x, legend.y, column, legend.height}, s, view.mesh.field.title,
                      view.mesh.field.quantity, view.range, scene.units, view.mesh.strip);
-    if (arrows)
-        paint_force_legend(canvas, {legend.x + column + 28 * s, legend.y, 0, legend.height}, s, view.forces,
-                           scene.units);
+    if (arrows || view.arrows_above) {
+        const double x = view.arrows_above ? legend.x : legend.x + column + 28 * s,
+                     y = view.arrows_above ? legend.y + arrows_lift * s : legend.y;
+        paint_force_legend(canvas, {x, y, 0, legend.height}, s, view.forces, scene.units);
+    }
     if (length)
         paint_scale_bar(canvas, legend.right(), legend.y + 32.5 * s, s, view.fit.pixels_per_unit,
                         scene.units);
@@ -238,10 +254,10 @@ void LiveView::paint(Canvas& canvas) const {
         taken = paint_force_arrows(canvas, *view.now, view.mesh.plane, view.fit, view.model, view.forces,
                                    view.cell_size, s);
     // In the upper right corner whoever shows the view writes the time.
-    taken.push_back({view.model.right() - 160 * s, view.model.top() - 36 * s, 160 * s, 36 * s});
+    corners.push_back({view.model.right() - 160 * s, view.model.top() - 36 * s, 160 * s, 36 * s});
     if (view.options.velocities)
         paint_motion(canvas, *view.now, view.mesh.plane, view.fit, view.model, s, view.mesh.extent->fastest,
-                     0.1 * std::min(view.size[0], view.size[1]), std::move(taken));
+                     0.1 * std::min(view.size[0], view.size[1]), std::move(taken), std::move(corners));
 }
 
 const Fit& LiveView::fit() const { return impl_->fit; }

@@ -58,8 +58,9 @@ class LiveView {
                                 double scale);
     /// The whole texture; of a mirrored mesh its larger half, twice: half the work.
     [[nodiscard]] std::vector<LivePart> parts() const;
-    /// Arrows, labels, colour bar and scale bar of the last draw(), in its pixels.
-    void paint(Canvas& canvas) const;
+    /// Arrows, labels, colour bar and scale bar of the last draw(), in its pixels. @param corners that others
+    /// write in: labels keep away from them and from the upper right one.
+    void paint(Canvas& canvas, std::vector<Rect> corners = {}) const;
 
     /// Mesh and ink in one picture, to be kept. @param ink paints over the mesh: paint(), and what else
     /// belongs to it.

@@ -77,10 +77,12 @@ void contact_search_and_solve(benchmark::State& state) {
 }
 
 /// Two strips of elements whose faces do not match, about to close everywhere: `nodes` contact nodes in the
-/// finer face, 5/6 of that in the other, all in one problem.
+/// finer face, all in one problem.
+/// @param coarse sides of the other face
 class PressedStrips {
   public:
-    PressedStrips(int nodes, const char* scheme) : scene_(strips(nodes, scheme)), mesh_(build_mesh(scene_)) {
+    PressedStrips(int nodes, const char* scheme, int coarse)
+        : scene_(strips(nodes, scheme, coarse)), mesh_(build_mesh(scene_)) {
         const auto& upper = mesh_.bodies[0];
         for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
             const bool moving = static_cast<std::int32_t>(n) < upper.node_end;
@@ -107,8 +109,8 @@ class PressedStrips {
   private:
     static constexpr double dt = 1e-5;
 
-    static Scene strips(int nodes, const char* scheme) {
-        const int fine = nodes - 1, coarse = std::max(1, fine * 5 / 6);
+    static Scene strips(int nodes, const char* scheme, int coarse) {
+        const int fine = nodes - 1;
         const auto body = [&](const char* name, int bottom, int columns) {
             return fmt::format(
                 "[[body]]\nname = \"{0}\"\nmaterial = \"steel\"\n[[body.block]]\n"
@@ -135,8 +137,9 @@ class PressedStrips {
 };
 
 /// A whole step of contact: how its cost per contact node grows with their number.
-void joint_contact(benchmark::State& state, const char* scheme) {
-    PressedStrips strips(static_cast<int>(state.range(0)), scheme);
+void joint_contact(benchmark::State& state, const char* scheme, int (*of_coarse)(int)) {
+    const auto nodes = static_cast<int>(state.range(0));
+    PressedStrips strips(nodes, scheme, of_coarse(nodes));
     RunStatistics statistics;
     for (auto _ : state) strips.step(statistics);
     per_node(state);
@@ -146,11 +149,17 @@ void joint_contact(benchmark::State& state, const char* scheme) {
         std::max<double>(1, static_cast<double>(statistics.contact_solver.problems));
 }
 
-BENCHMARK_CAPTURE(joint_contact, symmetric, "symmetric")->RangeMultiplier(10)->Range(10, 10000);
-BENCHMARK_CAPTURE(joint_contact, segment_to_segment, "segment-to-segment")
+int five_sixths(int nodes) { return std::max(1, (nodes - 1) * 5 / 6); }
+int one(int) { return 1; }
+
+BENCHMARK_CAPTURE(joint_contact, symmetric, "symmetric", five_sixths)->RangeMultiplier(10)->Range(10, 10000);
+BENCHMARK_CAPTURE(joint_contact, segment_to_segment, "segment-to-segment", five_sixths)
     ->RangeMultiplier(10)
     ->Range(10, 10000);
-BENCHMARK_CAPTURE(joint_contact, node_to_side, "node-to-side")->RangeMultiplier(10)->Range(10, 10000);
+BENCHMARK_CAPTURE(joint_contact, node_to_side, "node-to-side", five_sixths)
+    ->RangeMultiplier(10)
+    ->Range(10, 10000);
+BENCHMARK_CAPTURE(joint_contact, on_one_side, "symmetric", one)->RangeMultiplier(10)->Range(10, 10000);
 BENCHMARK(contact_search)->Arg(6)->Arg(21)->Arg(101);
 BENCHMARK(contact_search_and_solve)->Arg(6)->Arg(21)->Arg(101);
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "figures/ticks.hpp"
 #include "output.hpp"
 #include "record/csv_cell.hpp"
 #include "workbench/shown_curves.hpp"
@@ -20,6 +21,24 @@ PlotRun rows_within(const Curves& curves, std::shared_ptr<const History> history
     std::size_t end = curves.row_at(times[1]);
     if (end < curves.rows() && curves.times()[end] <= times[1]) ++end;
     return {std::move(history), "", begin, std::max(begin, end), {}, {}};
+}
+
+/// Rows before this time are thinned; those that are not shown do not count.
+void note_thinned(PlotContents& contents, double before) {
+    if (before <= contents.times[0]) return;
+    contents.thinned_before = std::max(contents.thinned_before.value_or(before), before);
+}
+
+void note_thinned(PlotContents& contents, const Curves& curves) {
+    const std::size_t thinned = curves.times().thinned();
+    if (thinned > 0 && thinned < curves.rows()) note_thinned(contents, curves.times()[thinned]);
+}
+
+/// When the thinned rows of a run end; absent: none of them is shown.
+std::optional<double> end_of_thinned(const PlotRun& run) {
+    const std::size_t thinned = run.history->thinned_rows();
+    if (thinned <= run.begin || thinned >= run.history->rows()) return std::nullopt;
+    return run.history->values(0, thinned, thinned + 1).front();
 }
 
 constexpr int points_of_a_drawn_rate = 1000;
@@ -105,6 +124,7 @@ PlotContents contents_of(Workbench& w, const PlotInfo& plot) {
                 name += fmt::format(", before {:.6g} least and greatest of some steps",
                                     curve.own->times()[thinned]);
             others.push_back(run_of_points(points, name, plot.quantity, i, contents.times));
+            note_thinned(contents, *curve.own);
             continue;
         }
         present.columns.push_back(curve.column);
@@ -131,6 +151,7 @@ PlotContents drawn_contents_of(Workbench& w, const PlotInfo& plot) {
         contents.runs.push_back(
             run_of_points(points, plot.curves[place].label, plot.quantity, place, contents.times));
         contents.runs.back().prefix = prefix;
+        note_thinned(contents, curves);
     };
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
         if (shown(w.plots, plot, plot.curves[i])) add(w.plots.curves, plot.curves[i].column, i, "");
@@ -180,6 +201,17 @@ void write_plot_csv(const std::filesystem::path& file, const PlotContents& conte
     });
 }
 
+namespace {
+
+std::optional<double> thinned_before(const PlotContents& contents) {
+    std::optional<double> before = contents.thinned_before;
+    for (const PlotRun& run : contents.runs)
+        if (const auto end = end_of_thinned(run)) before = std::max(before.value_or(*end), *end);
+    return before;
+}
+
+}  // namespace
+
 render::Figure figure_of(const PlotContents& contents, const std::string& title) {
     const DisplayUnit time = contents.units.display(Quantity::time, contents.duration);
     std::vector<render::Curve> curves;
@@ -211,6 +243,10 @@ render::Figure figure_of(const PlotContents& contents, const std::string& title)
         return of.label.empty() ? name : fmt::format("{} [{}]", name, of.label);
     };
     if (dashed) chart.title = "dashed: the reference";
+    if (const auto before = thinned_before(contents))
+        chart.title += fmt::format("{}until {}{}{} the least and greatest of every few steps",
+                                   dashed ? "; " : "", render::format_number(time.scale * *before, 4),
+                                   time.label.empty() ? "" : " ", time.label);
     chart.x_title = titled("time", time);
     chart.y_title = titled(contents.plot.title, unit);
     chart.x_range = {time.scale * contents.times[0], time.scale * contents.times[1]};

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct PlotContents {
     double duration = 0;                ///< of the scene, which the unit of time follows [time]
     std::array<double, 2> times{0, 1};  ///< shown [time]
     std::vector<PlotRun> runs;          ///< the present one first
+    /// Of curves that have no rows in the history: before this only the least and greatest of some steps are
+    /// known [time].
+    std::optional<double> thinned_before{};
 };
 /// For a file that lists every row, where plots of rates give the counts that they are of.
 [[nodiscard]] PlotContents contents_of(Workbench& w, const PlotInfo& plot);
@@ -37,7 +41,8 @@ struct PlotContents {
 /// of its own.
 /// @throws std::runtime_error naming the file.
 void write_plot_csv(const std::filesystem::path& file, const PlotContents& contents);
-/// For print; the reference is dashed.
+/// For print; the reference is dashed. Says from when on every step is drawn, where that is not from the
+/// start.
 [[nodiscard]] render::Figure figure_of(const PlotContents& contents, const std::string& title);
 
 }  // namespace percuss::app

@@ -29,7 +29,7 @@ render::Image ViewCopy::draw(const Workbench& w, const std::shared_ptr<const Sna
     }
     return view_->picture(moment, size_, scale_, [&](render::Canvas& canvas) {
         paint_beneath(w, *view_, moment, scale_, canvas);
-        view_->paint(canvas);
+        view_->paint(canvas, places_of_words(w, *view_, moment, scale_, canvas));
         paint_above(w, *view_, moment, scale_, canvas);
     });
 }

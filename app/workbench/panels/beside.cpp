@@ -1,5 +1,3 @@
-#include <cstdint>
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -44,9 +42,8 @@ void show_one(Workbench& w, BesideView& beside, const PanelArea& area, const std
     draw_beside(w, beside, {static_cast<int>(area.width), static_cast<int>(area.height)});
     const ImVec2 low{area.x, area.y}, high{area.x + area.width, area.y + area.height};
     ImDrawList& ink = *ImGui::GetWindowDrawList();
-    ink.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(beside.texture)), low, high,
-                 {0, 1}, {1, 0});
     ink.PushClipRect(low, high, true);
+    draw_picture(*beside.view, beside.texture, area, ink);
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
     beside.view->paint(canvas);
     write_time(*beside.view, *beside.drawn, w.screen.scale(), canvas);
@@ -56,23 +53,6 @@ void show_one(Workbench& w, BesideView& beside, const PanelArea& area, const std
 }
 
 }  // namespace
-
-std::vector<PanelArea> viewport_parts(const PanelArea& area, std::size_t count) {
-    const auto parts = static_cast<float>(count);
-    const bool side_by_side = area.width > 1.2F * area.height;
-    constexpr float rim = 2;
-    std::vector<PanelArea> result;
-    for (std::size_t k = 0; k < count; ++k) {
-        const auto at = static_cast<float>(k);
-        if (side_by_side)
-            result.push_back({area.x + at * area.width / parts, area.y, area.width / parts, area.height});
-        else
-            result.push_back({area.x, area.y + at * area.height / parts, area.width, area.height / parts});
-        if (k + 1 == count) continue;
-        (side_by_side ? result.back().width : result.back().height) -= rim;
-    }
-    return result;
-}
 
 void show_beside(Workbench& w, const std::vector<PanelArea>& areas) {
     for (std::size_t k = 0; k < w.beside.size(); ++k) {

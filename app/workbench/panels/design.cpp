@@ -84,13 +84,14 @@ void show_label(Workbench& w, const DesignValue& value) {
         w.names.name("back." + value.key);
         tooltip("Back to the value of the file.");
         ImGui::SameLine(0, 0.4F * ImGui::GetFontSize());
-        ImGui::TextColored(changed_colour, "%s", title_of(value).c_str());
-    } else {
-        ImGui::TextUnformatted(title_of(value).c_str());
     }
+    if (changed) ImGui::PushStyleColor(ImGuiCol_Text, changed_colour);
+    const std::string title = title_of(value), fitting = shortened(title, ImGui::GetContentRegionAvail().x);
+    ImGui::TextUnformatted(fitting.c_str());
+    if (changed) ImGui::PopStyleColor();
     w.names.name("label." + value.key);
     back = back || (changed && ImGui::IsItemClicked(ImGuiMouseButton_Right));
-    tooltip(help_of(value));
+    tooltip(fitting == title ? help_of(value) : title + "\n" + help_of(value));
     if (back) w.run.forget(value.key);
 }
 
@@ -145,10 +146,7 @@ void show_choice(Workbench& w, const DesignValue& value) {
         std::erase(chosen, '"');
     }
     ImGui::SetNextItemWidth(0.36F * ImGui::GetWindowWidth());
-    const bool open = ImGui::BeginCombo(("##" + value.key).c_str(), chosen.c_str());
-    w.names.name(value.key);
-    tooltip(help_of(value));
-    if (!open) return;
+    if (!begin_choice(w, ("##" + value.key).c_str(), chosen, value.key, help_of(value))) return;
     for (const std::string& choice : value.choices) {
         if (ImGui::Selectable(choice.c_str(), choice == chosen))
             w.run.set(value.key, fmt::format("\"{}\"", choice));
@@ -164,9 +162,8 @@ void show_derived(Workbench& w, const DesignValue& value) {
     // Under the names of the others.
     ImGui::SameLine(0.36F * ImGui::GetWindowWidth() + ImGui::GetStyle().WindowPadding.x +
                     1.2F * ImGui::GetFontSize());
-    ImGui::TextDisabled("%s", title_of(value).c_str());
+    line_of_text(title_of(value), true, help_of(value));
     w.names.name("label." + value.key);
-    tooltip(help_of(value));
 }
 
 }  // namespace

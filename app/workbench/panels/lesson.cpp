@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -8,10 +10,24 @@
 namespace percuss::app {
 namespace {
 
+/// Line ends where the panel ends, between words alone: ImGui would begin a line with a comma.
+std::string wrapped(const std::string& text, float width) {
+    std::string result, line;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        const std::string longer = line.empty() ? word : line + ' ' + word;
+        const bool fits = ImGui::CalcTextSize(longer.c_str()).x <= width;
+        if (!fits && !line.empty()) result += line + '\n';
+        line = fits ? longer : word;
+        if (end < text.size() && text[end] == '\n') result += std::exchange(line, "") + '\n';
+        begin = end + 1;
+    }
+    return result + line;
+}
+
 void show_text(const std::string& text) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(reflowed(text).c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(wrapped(reflowed(text), ImGui::GetContentRegionAvail().x).c_str());
 }
 
 void show_heading(Workbench& w, const std::string& text) {

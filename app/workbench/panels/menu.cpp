@@ -39,9 +39,11 @@ void show_menu(Workbench& workbench) {
         const Scene& scene = workbench.run.snapshot()->setup->scene;
         right = fmt::format("{}  ({})", scene.title, workbench.run.file().filename().string());
     }
-    const float width = ImGui::CalcTextSize(right.c_str()).x;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - ImGui::GetFontSize()));
-    ImGui::TextDisabled("%s", right.c_str());
+    const float em = ImGui::GetFontSize(), end = ImGui::GetWindowWidth() - em;
+    const std::string fitting = shortened(right, std::max(end - ImGui::GetCursorPosX() - em, em));
+    ImGui::SameLine(end - ImGui::CalcTextSize(fitting.c_str()).x);
+    ImGui::TextDisabled("%s", fitting.c_str());
+    if (fitting != right) tooltip(right);
     ImGui::EndMainMenuBar();
 }
 

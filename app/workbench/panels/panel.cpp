@@ -29,6 +29,47 @@ void same_line_for(float width, float gap) {
     if (ImGui::GetItemRectMax().x + apart + width <= right) ImGui::SameLine(0, apart);
 }
 
+std::string shortened(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    std::string part = text;
+    while (!part.empty()) {
+        const bool within =
+            (static_cast<unsigned char>(part.back()) & 0xC0U) == 0x80U;  // a letter of more bytes
+        part.pop_back();
+        if (within) continue;
+        while (!part.empty() && part.back() == ' ') part.pop_back();
+        if (ImGui::CalcTextSize((part + "\u2026").c_str()).x <= width) break;
+    }
+    return part + "\u2026";
+}
+
+void line_of_text(const std::string& text, bool soft, const std::string& help) {
+    const std::string fitting = shortened(text, ImGui::GetContentRegionAvail().x);
+    if (soft)
+        ImGui::TextDisabled("%s", fitting.c_str());
+    else
+        ImGui::TextUnformatted(fitting.c_str());
+    if (fitting == text)
+        tooltip(help);
+    else
+        tooltip(help.empty() ? text : text + "\n" + help);
+}
+
+bool begin_choice(Workbench& w, const char* label, const std::string& chosen, const std::string& name,
+                  const std::string& help) {
+    const float room =
+        ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+    const std::string fitting = shortened(chosen, room);
+    const bool open = ImGui::BeginCombo(label, fitting.c_str());
+    w.names.name(name);
+    if (open) return true;
+    if (fitting == chosen)
+        tooltip(help);
+    else
+        tooltip(help.empty() ? chosen : chosen + "\n" + help);
+    return false;
+}
+
 void tooltip(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();

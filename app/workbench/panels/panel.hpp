@@ -35,6 +35,16 @@ void command_box(Workbench& workbench, const char* command);
 /// The rim of a panel, which drags its width. @param present width of that panel [pixels].
 void show_splitter(Workbench& workbench, const char* name, const PanelArea& area, float present,
                    bool grows_rightwards, std::optional<double>& chosen);
+/// As much of a text as is no wider than that, with an ellipsis where something is left out [pixels].
+[[nodiscard]] std::string shortened(const std::string& text, float width);
+/// Text that is shortened where the panel ends; then the tooltip begins with the whole of it.
+void line_of_text(const std::string& text, bool soft = false, const std::string& help = "");
+/// ImGui::BeginCombo whose choice is shortened where it has no room; then the tooltip begins with the whole
+/// of it.
+/// @returns whether the list is open. @param help tooltip of the closed one.
+bool begin_choice(Workbench& workbench, const char* label, const std::string& chosen, const std::string& name,
+                  const std::string& help = "");
+
 /// What the last widget is about, shown when the mouse rests on it.
 void tooltip(const std::string& text);
 

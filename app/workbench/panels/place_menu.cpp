@@ -40,7 +40,9 @@ void show_items(Workbench& w) {
         const std::string& body = setup.mesh.bodies[static_cast<std::size_t>(m.menu.body)].name;
         ImGui::TextDisabled("%s, element %d, node %d", body.c_str(), m.menu.cell, m.menu.node);
         const FieldInfo& field = w.viewport.view->field();
-        if (item(w, "Probe here: " + field.title, "probe", "A curve of it, at each step from now on."))
+        if (item(w, "Probe here: " + field.title, "probe",
+                 w.run.recorded() ? "A curve of it over the recorded frames."
+                                  : "A curve of it, at each step from now on."))
             add_probe_at(w, m.menu, field.name);
         choose_probe_field(w, setup.scene);
         if (item(w, "Follow this node", "follow", "The picture moves with it.")) follow_node(w, m.menu.node);

@@ -27,12 +27,6 @@ void flip(std::set<std::string>& names, const std::string& name) {
     if (names.erase(name) == 0) names.insert(name);
 }
 
-/// The history that a curve is of.
-Curves& curves_of(PlotsState& state, const CurveInfo& curve) { return curve.own ? *curve.own : state.curves; }
-
-/// Points that a rate is drawn with on so many pixels.
-int parts_of_rate(float width) { return std::max(1, static_cast<int>(0.5F * width)); }
-
 /// What a curve's name is about: the pair of contact plots is marked in the picture while it is pointed at.
 void point_at_pair(Workbench& w, const CurveInfo& curve) {
     if (!ImGui::IsItemHovered() || curve.own) return;
@@ -49,7 +43,8 @@ void show_legend(Workbench& w, const PlotInfo& plot) {
     float x = 0;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         const CurveInfo& curve = plot.curves[i];
-        const float width = ImGui::CalcTextSize(curve.label.c_str()).x + 1.7F * em;
+        const std::string label = shortened(curve.label, right - 2.3F * em);
+        const float width = ImGui::CalcTextSize(label.c_str()).x + 1.7F * em;
         if (i > 0 && x + width + 0.4F * em < right) ImGui::SameLine(0, 0.4F * em);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = ImGui::GetTextLineHeight();
@@ -68,9 +63,10 @@ void show_legend(Workbench& w, const PlotInfo& plot) {
         else
             ink.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_TextDisabled));
         ink.AddText({at.x + 1.5F * em, at.y}, ImGui::GetColorU32(on ? ImGuiCol_Text : ImGuiCol_TextDisabled),
-                    curve.label.c_str());
+                    label.c_str());
         point_at_pair(w, curve);
-        explain_tooltip(curve.label, on ? "Click: hide this curve." : "Click: show this curve.");
+        explain_tooltip(curve.label, (label == curve.label ? "" : curve.label + "\n") +
+                                         (on ? "Click: hide this curve." : "Click: show this curve."));
     }
 }
 
@@ -110,41 +106,6 @@ struct Axes {
     }
     [[nodiscard]] double time(float at) const { return from + (to - from) * (at - low.x) / (high.x - low.x); }
 };
-
-/// Least and greatest of what is shown, with a little room; zero is kept in sight when it is near.
-std::array<double, 2> shown_values(Workbench& w, const PlotInfo& plot, const std::array<double, 2>& times,
-                                   float width) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    const auto include = [&](const MinMax& part) {
-        low = std::min(low, part.low);
-        high = std::max(high, part.high);
-    };
-    static thread_local std::vector<CurvePoint> points;
-    const auto look_at = [&](Curves& curves, std::size_t column) {
-        if (plot.rate) {
-            rates(curves, curves.column(column), times[0], times[1], parts_of_rate(width), rate_window(w),
-                  points);
-            for (const CurvePoint& point : points) include({0, point.value});
-            return;
-        }
-        const std::size_t begin = curves.row_at(times[0]),
-                          end = std::min(curves.rows(), curves.row_at(times[1]) + 1);
-        if (begin < end) include(curves.column(column).range(begin, end));
-    };
-    for (const CurveInfo& curve : plot.curves) {
-        if (!shown(w.plots, plot, curve)) continue;
-        look_at(curves_of(w.plots, curve), curve.column);
-        if (const auto column = reference_column(w, curve)) look_at(w.reference->curves, *column);
-        for (const BesideView& each : w.beside)
-            if (const auto column = beside_column(w, *each.run, curve)) look_at(each.run->curves(), *column);
-    }
-    if (!(low <= high)) return {0, 1};
-    if (low > 0 && low < 0.6 * high) low = 0;
-    if (high < 0 && high > 0.6 * low) high = 0;
-    const double span = high - low, least = 1e-9 * std::max(std::abs(low), std::abs(high));
-    const double room = span > least ? 0.06 * span : std::max(0.5 * std::abs(high), 1e-12);
-    return {low - room, high + room};
-}
 
 void draw_grid(ImDrawList& ink, const Axes& axes, double time_scale, const DisplayUnit& unit,
                bool time_labels) {
@@ -289,14 +250,12 @@ std::string total_of(Workbench& w, const PlotInfo& plot) {
     return fmt::format("{:.0f} so far", total);
 }
 
-/// Title and unit, and the total where there is room.
-std::string title_of(const PlotInfo& plot, const DisplayUnit& unit, const std::string& total) {
-    const std::string title =
-        unit.label.empty() ? plot.title : fmt::format("{} [{}]", plot.title, unit.label);
-    if (total.empty()) return title;
-    const std::string longer = title + ", " + total;
-    const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFontSize();
-    return ImGui::CalcTextSize(longer.c_str()).x < room ? longer : title;
+/// Title and unit, and the total where there is room; of a title that is too long the unit stays.
+std::string title_of(const PlotInfo& plot, const DisplayUnit& unit, const std::string& total, float room) {
+    const std::string of = unit.label.empty() ? "" : fmt::format(" [{}]", unit.label);
+    const std::string longer = plot.title + of + ", " + total;
+    if (!total.empty() && ImGui::CalcTextSize(longer.c_str()).x < room) return longer;
+    return shortened(plot.title, room - ImGui::CalcTextSize(of.c_str()).x) + of;
 }
 
 void navigate(Workbench& w, const PlotInfo& plot, const Axes& axes) {
@@ -343,14 +302,16 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     const bool open = !w.plots.folded.contains(plot.name);
     const std::string total = total_of(w, plot);
     ImGui::PushFont(w.screen.fonts().bold);
-    const std::string title = title_of(plot, unit, total);
     const float room = open ? ImGui::GetContentRegionAvail().x - 2 * em : 0;
+    const std::string title =
+        title_of(plot, unit, total, ImGui::GetContentRegionAvail().x - (open ? 3.2F : 1.2F) * em);
     if (ImGui::Selectable(fmt::format("{} {}###{}", open ? "\u2013" : "+", title, plot.name).c_str(), false,
                           0, {room, 0}))
         flip(w.plots.folded, plot.name), w.layout.plots[plot.name] = !open;
     ImGui::PopFont();
     w.names.name("plots." + plot.name + ".title");
-    explain_tooltip(plot.title, total);
+    const bool whole = title.starts_with(plot.title);
+    explain_tooltip(plot.title, whole ? total : plot.title + (total.empty() ? "" : "\n" + total));
     if (!open) return;
     show_plot_menu(w, plot);
     const float top = ImGui::GetCursorPosY();
@@ -381,8 +342,8 @@ void show_plot(Workbench& w, const PlotInfo& plot, float height, const std::arra
     if (cursor)
         ink.AddLine({axes.x(*cursor), axes.low.y}, {axes.x(*cursor), axes.high.y},
                     ImGui::GetColorU32(ImGuiCol_Text, 0.6F));
-    if (!w.run.live()) {  // the moment that the picture shows
-        const float x = axes.x(w.run.snapshot()->time);
+    if (!w.run.live()) {                                             // the moment that the picture shows
+        const float x = std::round(axes.x(w.run.snapshot()->time));  // its colour is whole on a whole pixel
         ink.AddLine({x, axes.low.y}, {x, axes.high.y}, shown_moment_colour,
                     static_cast<float>(1.6 * w.screen.scale()));
     }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -41,6 +42,18 @@ bool show_probe(Workbench& w, const ProbeCurve& probe, bool removable) {
     return remove;
 }
 
+/// The file has no rows of these probes, only frames, which are read one after the other.
+void show_frames_read(const Workbench& w) {
+    const std::size_t frames = w.run.timeline().frames.size();
+    std::size_t read = frames;
+    for (const ProbeCurve& probe : w.marks.probes.all()) read = std::min(read, probe.curves->rows());
+    const std::string words = w.run.reading_probes() ? fmt::format("reading {} of {} frames", read, frames)
+                                                     : fmt::format("from {} recorded frames", read);
+    line_of_text(words, true,
+                 "The file has every step of the scene's own probes. Those put in here are read off its "
+                 "frames: what came and went between two of them is not seen.");
+}
+
 }  // namespace
 
 void show_probes(Workbench& w) {
@@ -56,6 +69,7 @@ void show_probes(Workbench& w) {
         ImGui::PopTextWrapPos();
         return;
     }
+    if (w.run.recorded() && !m.probes.all().empty()) show_frames_read(w);
     std::string removed;
     if (ImGui::BeginTable("probes", 4, ImGuiTableFlags_SizingFixedFit)) {
         ImGui::TableSetupColumn("name");

@@ -5,6 +5,7 @@
 
 #include "effects.hpp"
 #include "figures/ticks.hpp"
+#include "workbench/command_table.hpp"
 #include "workbench/glossary.hpp"
 #include "workbench/panels/panel.hpp"
 
@@ -17,8 +18,22 @@ std::string count_text(double count) {
     return render::format_number(count / scale) + (scale == 1e6 ? " M" : scale == 1e3 ? " k" : "");
 }
 
+/// A command's button in the same line, where that has room; else the menu has it.
+void button_where_room(Workbench& w, const char* command, float gap, const char* label = "") {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const std::string words = *label != '\0' ? label : find_command(command)->title;
+    const float apart = gap > 0 ? gap : style.ItemSpacing.x;
+    const float right =
+        ImGui::GetItemRectMax().x + apart + ImGui::CalcTextSize(words.c_str()).x + 2 * style.FramePadding.x;
+    if (right > ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) return;
+    ImGui::SameLine(0, apart);
+    command_button(w, command, label);
+}
+
 void show_buttons(Workbench& w, const Units& units, double duration) {
     const float em = ImGui::GetFontSize();
+    const bool narrow = ImGui::GetWindowWidth() < 56 * em;
+    const float gap = narrow ? 0.6F * em : 1.4F * em, field = narrow ? 3.6F * em : 5 * em;
     const bool ended = w.run.status() == RunStatus::finished || w.run.status() == RunStatus::diverged;
     const char* label = "Run";
     if (!w.run.live())
@@ -27,39 +42,35 @@ void show_buttons(Workbench& w, const Units& units, double duration) {
         label = "Pause";
     else if (ended)
         label = "Run again";
-    command_button(w, "run.toggle", label, 6 * em);
+    command_button(w, "run.toggle", label, (narrow ? 5.2F : 6.0F) * em);
     ImGui::SameLine();
     command_button(w, "run.step", "Step");
-    ImGui::SameLine(0, 1.4F * em);
-    ImGui::SetNextItemWidth(5 * em);
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(field);
     ImGui::InputInt("##step-count", &w.step_count, 0);
     w.names.name("run.step-count");
     tooltip("How many steps the next button makes.");
     ImGui::SameLine();
     command_button(w, "run.steps", "steps");
-    ImGui::SameLine(0, 1.4F * em);
+    ImGui::SameLine(0, gap);
     // In the unit of the time beside it, not in that of the scene.
     const DisplayUnit unit = units.display(Quantity::time, duration);
     double until = unit.scale * w.until;
-    ImGui::SetNextItemWidth(5 * em);
+    ImGui::SetNextItemWidth(field);
     if (ImGui::InputDouble("##until", &until, 0, 0, "%.6g")) w.until = until / unit.scale;
     w.names.name("run.until-time");
     tooltip(fmt::format("Simulated time at which the next button pauses [{}].", unit.label));
     ImGui::SameLine();
     command_button(w, "run.until", fmt::format("Run until [{}]", unit.label).c_str());
-    ImGui::SameLine(0, 1.4F * em);
-    command_button(w, "run.reset");
-    ImGui::SameLine();
-    command_button(w, "scene.reload");
-    ImGui::SameLine(0, 1.4F * em);
-    command_button(w, "view.fit");
-    ImGui::SameLine();
+    button_where_room(w, "run.reset", gap);
+    button_where_room(w, "scene.reload", 0);
+    button_where_room(w, "view.fit", gap);
     const bool kept = w.reference.has_value();
     if (kept) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    command_button(w, "reference.toggle", kept ? "Drop reference" : "Keep as reference");
+    button_where_room(w, "reference.toggle", 0, kept ? "Drop reference" : "Keep as reference");
     if (kept) ImGui::PopStyleColor();
     if (!w.run.building()) return;
-    ImGui::SameLine(0, 1.4F * em);
+    ImGui::SameLine(0, gap);
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored({0.83F, 0.37F, 0, 1}, "building the scene ...");
 }
@@ -82,7 +93,8 @@ void show_progress(Workbench& w, const Snapshot& now) {
     const std::string text = fmt::format("{}  t = {:.4g} of {:.4g} {}", w.run.playing() ? "playing" : status,
                                          unit.scale * now.time, unit.scale * duration, unit.label);
     ImGui::ProgressBar(static_cast<float>(std::clamp(now.time / duration, 0.0, 1.0)),
-                       {22 * ImGui::GetFontSize(), 0}, text.c_str());
+                       {std::min(22 * ImGui::GetFontSize(), 0.45F * ImGui::GetWindowWidth()), 0},
+                       text.c_str());
     w.names.name("run.progress");
     tooltip("Simulated time of the scene's duration.");
     ImGui::SameLine(0, 1.4F * ImGui::GetFontSize());
@@ -95,11 +107,11 @@ void show_progress(Workbench& w, const Snapshot& now) {
         facts += fmt::format("     {} a second, {} steps a second",
                              quantity_text(units, Quantity::time, w.run.speed()),
                              count_text(w.run.speed() / now.dt));
-    ImGui::TextUnformatted(facts.c_str());
-    tooltip(
+    line_of_text(
+        facts, false,
         "Number and size of the last step, its fraction of the critical one, and how fast the run goes: "
         "simulated time and steps for each second of yours.\n" +
-        explain("time step, critical"));
+            explain("time step, critical"));
 }
 
 }  // namespace

@@ -73,7 +73,10 @@ bool show_card(Workbench& w, const std::string& scene, bool chosen) {
     const float x = high.x + em;
     ImFont* bold = w.screen.fonts().bold;
     const std::string title = card == nullptr ? "" : usable ? card->title : "cannot be used";
-    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text), soft = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+    // On the coloured ground of the chosen one pale letters could not be read.
+    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
+    const bool grounded = chosen || ImGui::IsItemHovered();
+    const ImU32 soft = grounded ? text : ImGui::GetColorU32(ImGuiCol_TextDisabled);
     ink.PushClipRect({x, at.y}, {ImGui::GetItemRectMax().x, at.y + height + 2 * gap}, true);
     ink.AddText(bold, bold->FontSize, {x, at.y + gap + 0.4F * em}, usable ? text : soft, title.c_str());
     ink.AddText({x, at.y + gap + 2 * em}, soft, scene.c_str());

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "workbench/glossary.hpp"
 #include "workbench/panels/panel.hpp"
 
 namespace percuss::app {
@@ -12,10 +13,8 @@ void show_scheme_choice(Workbench& w) {
         std::find_if(choices.begin(), choices.end(), [](const SchemeChoice& c) { return c.present; });
     const std::string shown = present == choices.end() ? "another" : present->name;
     ImGui::SetNextItemWidth(0.36F * ImGui::GetWindowWidth());
-    const bool open = ImGui::BeginCombo("##scheme", shown.c_str());
-    w.names.name("scheme");
-    if (present != choices.end()) tooltip(find_scheme(present->name)->explanation);
-    if (open) {
+    const std::string help = present != choices.end() ? find_scheme(present->name)->explanation : "";
+    if (begin_choice(w, "##scheme", shown, "scheme", help)) {
         const Scene& scene = w.run.snapshot()->setup->scene;
         for (const SchemeChoice& choice : choices) {
             const bool usable = choice.fault.empty();
@@ -29,10 +28,10 @@ void show_scheme_choice(Workbench& w) {
         ImGui::EndCombo();
     }
     ImGui::SameLine(0, 1.2F * ImGui::GetFontSize());
-    ImGui::TextUnformatted("contact scheme");
-    explain_tooltip(
-        "contact scheme",
-        "How contact is computed. Between projection and joint a run goes on; what else builds it anew.");
+    line_of_text("contact scheme", false,
+                 "How contact is computed. Between projection and joint a run goes on; what else builds it "
+                 "anew.\n" +
+                     explain("contact scheme"));
 }
 
 }  // namespace percuss::app

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <imgui.h>
 
@@ -7,9 +8,10 @@
 namespace percuss::app {
 
 float panel_width(const std::optional<double>& chosen, float by_itself) {
-    if (!chosen) return by_itself;
+    if (!chosen) return std::round(by_itself);  // pictures between panels lie on whole pixels
     const float display = ImGui::GetIO().DisplaySize.x, em = ImGui::GetFontSize();
-    return std::clamp(static_cast<float>(*chosen) * em, std::min(9 * em, 0.25F * display), 0.45F * display);
+    return std::round(
+        std::clamp(static_cast<float>(*chosen) * em, std::min(9 * em, 0.25F * display), 0.45F * display));
 }
 
 void show_splitter(Workbench& w, const char* name, const PanelArea& area, float present,

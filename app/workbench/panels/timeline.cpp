@@ -92,9 +92,14 @@ void show_speed(Workbench& w, const DisplayUnit& unit, double duration) {
     const bool played = w.run.recorded() || w.run.playing();
     if (!state.typing_speed)
         state.speed = wanted ? fmt::format("{:.4g}", unit.scale * *wanted) : std::string();
-    ImGui::SetNextItemWidth(std::min(8.2F * em, room));
+    const std::string of = fmt::format("{}/s", unit.label);
+    const float width =
+        std::max(std::min(8.2F * em, room - 0.3F * em - ImGui::CalcTextSize(of.c_str()).x), 2 * em);
+    const std::string hint = shortened(played ? "whole run in 10 s" : "as fast as can be",
+                                       width - 2 * ImGui::GetStyle().FramePadding.x);
+    ImGui::SetNextItemWidth(width);
     const bool entered =
-        ImGui::InputTextWithHint("##speed", played ? "whole run in 10 s" : "as fast as can be", &state.speed,
+        ImGui::InputTextWithHint("##speed", hint.c_str(), &state.speed,
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CharsScientific |
                                      ImGuiInputTextFlags_AutoSelectAll);
     w.names.name("run.speed");
@@ -107,7 +112,7 @@ void show_speed(Workbench& w, const DisplayUnit& unit, double duration) {
         unit.label);
     tooltip(help);
     ImGui::SameLine(0, 0.3F * em);
-    ImGui::TextUnformatted(fmt::format("{}/s", unit.label).c_str());
+    ImGui::TextUnformatted(of.c_str());
     const std::string reached =
         w.run.speed() > 0 ? fmt::format("reached: {}/s", quantity_text(w.run.snapshot()->setup->scene.units,
                                                                        Quantity::time, w.run.speed()))

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "figures/ticks.hpp"
+#include "workbench/glossary.hpp"
 #include "workbench/panels/panel.hpp"
 #include "workbench/viewport_actions.hpp"
 
@@ -16,10 +17,8 @@ void choose_field(Workbench& w, const Scene& scene) {
     const auto present = std::find_if(fields.begin(), fields.end(), [&](const FieldInfo& field) {
         return field.name == view.options.field;
     });
-    const bool open = ImGui::BeginCombo("field", present != fields.end() ? present->title.c_str() : "");
-    w.names.name("view.field");
-    if (!open && present != fields.end()) explain_tooltip(present->title);
-    if (!open) return;
+    const std::string title = present != fields.end() ? present->title : "";
+    if (!begin_choice(w, "field", title, "view.field", explain(title))) return;
     for (const FieldInfo& field : fields) {
         if (ImGui::Selectable(field.title.c_str(), field.name == view.options.field)) {
             view.options.field = field.name;
@@ -35,9 +34,7 @@ void choose_field(Workbench& w, const Scene& scene) {
 
 void choose_colours(Workbench& w) {
     ViewportState& view = w.viewport;
-    const bool open = ImGui::BeginCombo("colours", view.options.colour_map.c_str());
-    w.names.name("view.colours");
-    if (!open) return;
+    if (!begin_choice(w, "colours", view.options.colour_map, "view.colours")) return;
     for (const std::string& name : colour_map_names()) {
         if (ImGui::Selectable(name.c_str(), name == view.options.colour_map)) {
             view.options.colour_map = name;
@@ -139,9 +136,7 @@ void choose_arrows(Workbench& w, const Scene& scene) {
     const auto present = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& kind) {
         return kind.scale == view.options.force_scale;
     });
-    const bool open = ImGui::BeginCombo("arrows", present->name);
-    w.names.name("view.arrows");
-    if (open) {
+    if (begin_choice(w, "arrows", present->name, "view.arrows", present->help)) {
         for (const Kind& kind : kinds) {
             if (ImGui::Selectable(kind.name, kind.scale == view.options.force_scale)) {
                 // The fixed scale begins with the reference of the moment; the others find their own.
@@ -167,17 +162,13 @@ void choose_arrows(Workbench& w, const Scene& scene) {
 void choose_pairs(Workbench& w, const Scene& scene) {
     using Pairs = ViewportMarks::Pairs;
     ViewportMarks& m = w.marks;
-    const char* present = m.pairs == Pairs::none  ? "none"
-                          : m.pairs == Pairs::all ? "all"
-                                                  : scene.contacts[m.pair].name.c_str();
-    const bool open = ImGui::BeginCombo("pairs", present);
-    w.names.name("view.pairs");
-    if (!open) {
-        explain_tooltip("master slave",
-                        "Contact pairs that are marked in the picture: master nodes as dots, slave "
-                        "sides as bold lines.");
-        return;
-    }
+    const std::string present = m.pairs == Pairs::none  ? "none"
+                                : m.pairs == Pairs::all ? "all"
+                                                        : scene.contacts[m.pair].name;
+    const std::string help =
+        "Contact pairs that are marked in the picture: master nodes as dots, slave sides as bold lines.\n" +
+        explain("master slave");
+    if (!begin_choice(w, "pairs", present, "view.pairs", help)) return;
     const auto entry = [&](const std::string& text, Pairs pairs, std::size_t pair) {
         if (ImGui::Selectable(text.c_str(), m.pairs == pairs && (pairs != Pairs::one || m.pair == pair)))
             m.pairs = pairs, m.pair = pair;
@@ -196,9 +187,7 @@ void choose_pairs(Workbench& w, const Scene& scene) {
 }
 
 void zoom_to_body(Workbench& w, const Snapshot& now) {
-    const bool open = ImGui::BeginCombo("zoom to", "body ...");
-    w.names.name("view.zoom-to");
-    if (!open) return;
+    if (!begin_choice(w, "zoom to", "body ...", "view.zoom-to")) return;
     const auto& bodies = now.setup->mesh.bodies;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (ImGui::Selectable(bodies[b].name.c_str())) zoom_to(w, b);
@@ -215,7 +204,9 @@ void show_view_settings(Workbench& w) {
     if (!open || !w.run.snapshot()) return;
     const Snapshot& now = *w.run.snapshot();
     const Scene& scene = now.setup->scene;
-    ImGui::PushItemWidth(-5.5F * ImGui::GetFontSize());
+    // In a narrow panel the choices need the room more than their names do.
+    const float em = ImGui::GetFontSize();
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x < 14 * em ? -4.2F * em : -5.5F * em);
     choose_field(w, scene);
     choose_range(w, scene);
     choose_colours(w);

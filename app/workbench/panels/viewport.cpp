@@ -67,18 +67,6 @@ void draw_model(Workbench& w, std::array<int, 2> size) {
     v.dirty = false;
 }
 
-void draw_picture(const ViewportState& v, const PanelArea& area, ImDrawList& ink) {
-    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(v.texture));
-    const float bottom = area.y + area.height;
-    // OpenGL's first row is the lowest, ImGui's the highest.
-    for (const auto& [place, low, high] : v.view->parts())
-        ink.AddImage(texture,
-                     {area.x + static_cast<float>(place.x), bottom - static_cast<float>(place.top())},
-                     {area.x + static_cast<float>(place.right()), bottom - static_cast<float>(place.y)},
-                     {static_cast<float>(low[0]), static_cast<float>(high[1])},
-                     {static_cast<float>(high[0]), static_cast<float>(low[1])});
-}
-
 /// The mouse in the picture's coordinates.
 std::array<double, 2> model_point(const ViewportState& v, const PanelArea& area) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -177,10 +165,10 @@ void show_own_run(Workbench& w, const PanelArea& area) {
     const ImVec2 low{area.x, area.y}, high{area.x + area.width, area.y + area.height};
     ImDrawList& ink = *ImGui::GetWindowDrawList();
     ink.PushClipRect(low, high, true);
-    draw_picture(v, area, ink);
+    draw_picture(*v.view, v.texture, area, ink);
     render::DrawListCanvas canvas(ink, w.screen.fonts(), area.x, area.y + area.height);
     paint_beneath(w, *v.view, v.drawn, w.screen.scale(), canvas);
-    v.view->paint(canvas);
+    v.view->paint(canvas, places_of_words(w, *v.view, v.drawn, w.screen.scale(), canvas));
     choose_sides(w);
     paint_above(w, *v.view, v.drawn, w.screen.scale(), canvas);
     ink.PopClipRect();

@@ -20,9 +20,10 @@ void BipenaltyContact::assemble(const PredictedMotion& motion) {
         row.penetration = per_stiffness * row.penetration - motion.dt * change;
     }
     JointContact::assemble(motion);
-    for (std::size_t place = 0; place < chosen_.size(); ++place)
-        coupling_.soften(static_cast<std::int32_t>(place),
-                         per_stiffness / stiffness(rows_[row_index(place)]));
+    for (std::size_t place = 0; place < coupling_.places(); ++place)
+        if (has_row(place))
+            coupling_.soften(static_cast<std::int32_t>(place),
+                             per_stiffness / stiffness(rows_[row_index(place)]));
 }
 
 }  // namespace percuss

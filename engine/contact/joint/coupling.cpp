@@ -1,6 +1,8 @@
 #include "contact/joint/coupling.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace percuss {
 namespace {
@@ -14,9 +16,17 @@ constexpr double regularisation = 1e-8;
 
 Coupling::Coupling(std::int32_t node_count, std::span<const std::int32_t> fixed)
     : fixed_(static_cast<std::size_t>(node_count), 0),
+      sharing_(static_cast<std::size_t>(node_count), 0),
       nodes_begin_{0},
       head_(static_cast<std::size_t>(node_count), -1) {
     for (const std::int32_t node : fixed) fixed_[static_cast<std::size_t>(node)] = 1;
+}
+
+void Coupling::split_off(bool splits) {
+    if (splits == splits_) return;
+    splits_ = splits;
+    nodes_.clear();
+    nodes_begin_.clear();  // no row has the nodes that it had
 }
 
 void Coupling::reserve(std::size_t rows, std::size_t terms) {
@@ -63,8 +73,9 @@ void Coupling::assemble(const RowSpan& rows, std::span<const std::int32_t> chose
         restructure();
     }
     std::size_t at = 0;
-    for (const std::int32_t place : order_) {
-        const ContactRow& row = rows[static_cast<std::size_t>(chosen[static_cast<std::size_t>(place)])];
+    for (const std::int32_t k : order_) {
+        if (k < 0) continue;
+        const ContactRow& row = rows[static_cast<std::size_t>(chosen[static_cast<std::size_t>(k)])];
         for (const RowTerm& term : rows.terms(row)) {
             const double* inverse = inverse_mass + 2 * term.node;
             share_[at] = term.g;
@@ -79,66 +90,173 @@ void Coupling::assemble(const RowSpan& rows, std::span<const std::int32_t> chose
         values[static_cast<std::size_t>(product.entry)] += u[0] * s[0] + u[1] * s[1];
     }
     for (std::int32_t k = 0; k < matrix_.rows(); ++k) matrix_.at(k, k) *= 1 + regularisation;
+    if (split_.empty()) return;
+    for (std::size_t place = 0; place < places(); ++place) {
+        const auto k = static_cast<std::int32_t>(place);
+        if (!has_row(place)) matrix_.at(k, k) = -1;
+    }
+    for (const Motion& motion : motions_) {
+        const std::size_t d = motion.direction;
+        const double share = share_[static_cast<std::size_t>(motion.term)][d] *
+                             std::sqrt(factor * inverse_mass[2 * static_cast<std::size_t>(motion.node) + d]);
+        values[static_cast<std::size_t>(motion.entry)] = share;
+        values[static_cast<std::size_t>(motion.diagonal)] += regularisation * share * share;
+    }
 }
 
+template <class Visit>
+void Coupling::for_links(std::int32_t node, const Visit& visit) const {
+    for (std::int32_t l = head_[static_cast<std::size_t>(node)]; l >= 0;) {
+        const Link& link = links_[static_cast<std::size_t>(l)];
+        visit(link);
+        l = link.next;
+    }
+}
+
+/// Links the nodes to the places of their rows in an order.
+void Coupling::link(std::span<const std::int32_t> order) {
+    for (const std::int32_t node : nodes_) head_[static_cast<std::size_t>(node)] = -1;
+    links_.clear();
+    std::int32_t term = 0;
+    for (std::size_t place = 0; place < order.size(); ++place) {
+        if (order[place] < 0) continue;
+        for (const std::int32_t node : nodes_of(order[place])) {
+            const std::int32_t at = term++;
+            if (fixed_[static_cast<std::size_t>(node)]) continue;
+            std::int32_t& head = head_[static_cast<std::size_t>(node)];
+            links_.push_back({static_cast<std::int32_t>(place), at, head});
+            head = static_cast<std::int32_t>(links_.size()) - 1;
+        }
+    }
+}
+
+void Coupling::restructure() {
+    order_.resize(nodes_begin_.size() - 1);
+    std::iota(order_.begin(), order_.end(), 0);
+    link(order_);
+    find_split();
+    sort_into_groups();
+    if (!split_.empty()) insert_split();
+    link(order_);
+    lay_out();
+    for (const std::int32_t node : nodes_) head_[static_cast<std::size_t>(node)] = -1;
+    share_.resize(nodes_.size());
+    unit_.resize(nodes_.size());
+}
+
+/// Nodes of many rows, each of which keeps another node that moves.
+void Coupling::find_split() {
+    for (const Split& split : split_) sharing_[static_cast<std::size_t>(split.node)] = 0;
+    split_.clear();
+    if (!splits_ || links_.size() <= static_cast<std::size_t>(most_sharing)) return;
+    for (const std::int32_t node : nodes_) {
+        if (is_split(node)) continue;
+        std::int32_t sharing = 0;
+        for_links(node, [&](const Link&) { ++sharing; });
+        if (sharing <= most_sharing) continue;
+        sharing_[static_cast<std::size_t>(node)] = sharing;
+        split_.push_back({0, node});
+    }
+    if (split_.empty()) return;
+    for (const std::int32_t row : order_) {
+        const auto nodes = nodes_of(row);
+        const auto stays = [&](std::int32_t node) {
+            return !fixed_[static_cast<std::size_t>(node)] && !is_split(node);
+        };
+        if (std::any_of(nodes.begin(), nodes.end(), stays)) continue;
+        for (const std::int32_t node : nodes) sharing_[static_cast<std::size_t>(node)] = 0;
+    }
+    std::erase_if(split_, [&](const Split& split) { return !is_split(split.node); });
+}
+
+/// Breadth first; on to what shares only a node that is split off when there is nothing nearer.
 void Coupling::sort_into_groups() {
     const auto rows = static_cast<std::int32_t>(nodes_begin_.size()) - 1;
     order_.clear();
     groups_.clear();
     seen_.assign(static_cast<std::size_t>(rows), 0);
+    waiting_.clear();
     const auto take = [this](std::int32_t row) {
-        if (seen_[static_cast<std::size_t>(row)]) return;
+        if (seen_[static_cast<std::size_t>(row)]) return false;
         seen_[static_cast<std::size_t>(row)] = 1;
         order_.push_back(row);
+        return true;
+    };
+    const auto take_waiting = [&] {
+        while (!waiting_.empty()) {
+            std::int32_t& l = waiting_.front();
+            while (l >= 0) {
+                const Link& link = links_[static_cast<std::size_t>(l)];
+                l = link.next;
+                if (take(link.place)) return;
+            }
+            waiting_.erase(waiting_.begin());
+        }
     };
     for (std::int32_t start = 0; start < rows; ++start) {
-        if (seen_[static_cast<std::size_t>(start)]) continue;
         const auto begin = static_cast<std::int32_t>(order_.size());
-        take(start);
-        for (auto at = static_cast<std::size_t>(begin); at < order_.size(); ++at)
-            for (const std::int32_t node : nodes_of(order_[at]))
-                for (std::int32_t l = head_[static_cast<std::size_t>(node)]; l >= 0;
-                     l = links_[static_cast<std::size_t>(l)].next)
-                    take(links_[static_cast<std::size_t>(l)].place);
+        if (!take(start)) continue;
+        for (auto at = static_cast<std::size_t>(begin); at < order_.size(); ++at) {
+            for (const std::int32_t node : nodes_of(order_[at])) {
+                std::int32_t& sharing = sharing_[static_cast<std::size_t>(node)];
+                if (sharing == 0) for_links(node, [&](const Link& link) { take(link.place); });
+                if (sharing > 0) {
+                    waiting_.push_back(head_[static_cast<std::size_t>(node)]);
+                    sharing = -sharing;  // it waits once
+                }
+            }
+            if (at + 1 == order_.size()) take_waiting();
+        }
         groups_.push_back({begin, static_cast<std::int32_t>(order_.size())});
     }
 }
 
-void Coupling::restructure() {
-    const auto rows = static_cast<std::int32_t>(nodes_begin_.size()) - 1;
-    const auto link_rows = [&](auto row_at) {
-        links_.clear();
-        std::int32_t at = 0;
-        for (std::int32_t place = 0; place < rows; ++place) {
-            for (const std::int32_t node : nodes_of(row_at(place))) {
-                const std::int32_t term = at++;
-                if (fixed_[static_cast<std::size_t>(node)]) continue;
-                std::int32_t& head = head_[static_cast<std::size_t>(node)];
-                links_.push_back({place, term, head});
-                head = static_cast<std::int32_t>(links_.size()) - 1;
-            }
+/// Makes two places for each node that is split off, one a direction, behind the last of its rows.
+void Coupling::insert_split() {
+    waited_ = order_;
+    std::vector<std::int32_t>& place_of = waiting_;
+    place_of.resize(waited_.size());
+    for (std::size_t place = 0; place < waited_.size(); ++place)
+        place_of[static_cast<std::size_t>(waited_[place])] = static_cast<std::int32_t>(place);
+    for (Split& split : split_)
+        for_links(split.node, [&](const Link& link) {
+            split.last = std::max(split.last, place_of[static_cast<std::size_t>(link.place)]);
+        });
+    std::sort(split_.begin(), split_.end(), [](const Split& a, const Split& b) {
+        return a.last != b.last ? a.last < b.last : a.node < b.node;
+    });
+    order_.clear();
+    auto split = split_.begin();
+    for (Group& group : groups_) {
+        const auto begin = static_cast<std::int32_t>(order_.size());
+        for (std::int32_t place = group.begin; place < group.end; ++place) {
+            order_.push_back(waited_[static_cast<std::size_t>(place)]);
+            for (; split != split_.end() && split->last == place; ++split) order_.insert(order_.end(), 2, -1);
         }
-    };
-    const auto unlink = [this] {
-        for (const std::int32_t node : nodes_) head_[static_cast<std::size_t>(node)] = -1;
-    };
-    link_rows([](std::int32_t row) { return row; });
-    sort_into_groups();
-    unlink();
+        group = {begin, static_cast<std::int32_t>(order_.size())};
+    }
+}
 
-    link_rows([this](std::int32_t place) { return order_[static_cast<std::size_t>(place)]; });
+/// Makes the rows of the matrix, and notes which products go where.
+void Coupling::lay_out() {
     matrix_.clear();
     products_.clear();
+    motions_.clear();
     std::int32_t first_term = 0;
-    for (std::int32_t place = 0; place < rows; ++place) {
+    std::size_t split = 0;
+    for (std::int32_t place = 0; place < static_cast<std::int32_t>(places()); ++place) {
+        if (!has_row(static_cast<std::size_t>(place))) {
+            lay_out_split(split_[split++].node, place);
+            ++place;
+            continue;
+        }
         const auto nodes = nodes_of(order_[static_cast<std::size_t>(place)]);
         const auto each_link = [&](auto visit) {
             for (std::size_t slot = 0; slot < nodes.size(); ++slot) {
-                std::int32_t l = head_[static_cast<std::size_t>(nodes[slot])];
-                for (; l >= 0; l = links_[static_cast<std::size_t>(l)].next)
-                    if (links_[static_cast<std::size_t>(l)].place <= place)
-                        visit(first_term + static_cast<std::int32_t>(slot),
-                              links_[static_cast<std::size_t>(l)]);
+                if (is_split(nodes[slot])) continue;
+                for_links(nodes[slot], [&](const Link& link) {
+                    if (link.place <= place) visit(first_term + static_cast<std::int32_t>(slot), link);
+                });
             }
         };
         std::int32_t first = place;
@@ -149,9 +267,20 @@ void Coupling::restructure() {
         });
         first_term += static_cast<std::int32_t>(nodes.size());
     }
-    unlink();
-    share_.resize(nodes_.size());
-    unit_.resize(nodes_.size());
+}
+
+/// The two places of a node that is split off.
+void Coupling::lay_out_split(std::int32_t node, std::int32_t place) {
+    std::int32_t first = place;
+    for_links(node, [&](const Link& link) { first = std::min(first, link.place); });
+    for (const std::size_t direction : {std::size_t{0}, std::size_t{1}}) {
+        const std::int32_t row = place + static_cast<std::int32_t>(direction);
+        matrix_.append_row(first);
+        for_links(node, [&](const Link& link) {
+            motions_.push_back({matrix_.index(row, link.place), matrix_.index(link.place, link.place),
+                                link.term, node, direction});
+        });
+    }
 }
 
 }  // namespace percuss

@@ -69,6 +69,7 @@ void FrictionalContact<Normal>::solve(PredictedMotion& motion, ContactSolverStat
     this->assemble(motion);
     choose_tangents(motion);
     tangential_.assemble(tangents_.all(), all_, motion.inverse_mass, motion.dt * motion.kick);
+    standing_.assign(tangential_.places(), BoundedSolver::between);
     int round = 0;
     bool changed = true;
     while (changed && round < most_rounds) {
@@ -111,20 +112,20 @@ void FrictionalContact<Normal>::choose_tangents(const PredictedMotion& motion) {
     }
     all_.resize(tangents_.size());
     std::iota(all_.begin(), all_.end(), 0);
-    standing_.assign(tangents_.size(), BoundedSolver::between);
 }
 
 /// Friction forces for the present contact forces, whose impulses are on the nodes.
 template <class Normal>
 void FrictionalContact<Normal>::solve_friction(const PredictedMotion& motion) {
-    const std::size_t count = tangents_.size();
-    slip_.resize(count);
-    limit_.resize(count);
+    const std::size_t count = tangential_.places();
+    slip_.assign(count, 0.0);
+    limit_.assign(count, 0.0);
     friction_.resize(count);
     const auto tangent_at = [&](std::size_t place) {
         return static_cast<std::size_t>(tangential_.order()[place]);
     };
     for (std::size_t place = 0; place < count; ++place) {
+        if (!tangential_.has_row(place)) continue;
         const std::size_t t = tangent_at(place);
         slip_[place] = tangents_[t].penetration - opening(tangents_.terms(tangents_[t]), motion);
         limit_[place] = grips_[t].friction * rows_[static_cast<std::size_t>(grips_[t].row)].force;
@@ -133,6 +134,7 @@ void FrictionalContact<Normal>::solve_friction(const PredictedMotion& motion) {
         bounded_.solve_within(limit_, tangential_.matrix(), slip_, standing_, friction_, group.begin,
                               group.end);
     for (std::size_t place = 0; place < count; ++place) {
+        if (!tangential_.has_row(place)) continue;
         const std::size_t t = tangent_at(place);
         tangents_[t].force = friction_[place];
         grips_[t].sticks = limit_[place] > 0 && standing_[place] == BoundedSolver::between;
@@ -146,6 +148,7 @@ template <class Normal>
 double FrictionalContact<Normal>::meet_friction(const PredictedMotion& motion) {
     double most = 0;
     for (std::size_t place = 0; place < penetration_.size(); ++place) {
+        if (!this->has_row(place)) continue;
         const ContactRow& row = rows_[this->row_index(place)];
         const double penetration = row.penetration - opening(rows_.terms(row), motion);
         most = std::max(most, std::abs(penetration - penetration_[place]));

@@ -59,6 +59,7 @@ JointContact::JointContact(const Scene& scene, const Mesh& mesh, ConditionOf con
     force_.reserve(rows);
     standing_.reserve(rows);
     coupling_.reserve(rows, terms);
+    coupling_.split_off(solver_kind_ == ForceSolver::active_set);
     solver_->reserve(rows, 32 * rows);
 }
 
@@ -66,6 +67,7 @@ void JointContact::change(const std::vector<double>&, const ContactSolver& solve
     recovery_speed_ = solver.recovery_speed;
     if (solver.solver == solver_kind_) return;
     solver_kind_ = solver.solver;
+    coupling_.split_off(solver_kind_ == ForceSolver::active_set);
     solver_ = AnyNonnegativeSolver(make_solver(solver_kind_));
 }
 
@@ -186,11 +188,12 @@ void JointContact::solve(PredictedMotion& motion, ContactSolverStatistics& stati
 
 void JointContact::assemble(const PredictedMotion& motion) {
     coupling_.assemble(rows_.all(), chosen_, motion.inverse_mass, motion.dt * motion.kick);
-    const std::size_t count = chosen_.size();
-    penetration_.resize(count);
+    const std::size_t count = coupling_.places();
+    penetration_.assign(count, 0.0);
     force_.resize(count);
-    standing_.resize(count);
+    standing_.assign(count, BoundedSolver::between);
     for (std::size_t place = 0; place < count; ++place) {
+        if (!coupling_.has_row(place)) continue;
         penetration_[place] = rows_[row_index(place)].penetration;
         standing_[place] = expected_[row_index(place)];
     }
@@ -207,7 +210,8 @@ void JointContact::solve_forces(ContactSolverStatistics& statistics) {
         statistics.rows += group.end - group.begin;
         statistics.most_rows = std::max(statistics.most_rows, group.end - group.begin);
     }
-    for (std::size_t place = 0; place < chosen_.size(); ++place) {
+    for (std::size_t place = 0; place < coupling_.places(); ++place) {
+        if (!coupling_.has_row(place)) continue;
         const std::size_t k = row_index(place);
         rows_[k].force = std::max(0.0, force_[place]);
         expected_[k] = standing_[place];

@@ -62,7 +62,8 @@ class JointContact : public ContactMethod {
     [[nodiscard]] static double opening(std::span<const RowTerm> terms, const PredictedMotion& motion);
     /// The largest of the predicted penetrations in the problem; 0 when there is none [length].
     [[nodiscard]] double deepest_penetration() const;
-    [[nodiscard]] std::size_t row_index(std::size_t place) const;  ///< place in the matrix
+    [[nodiscard]] bool has_row(std::size_t place) const { return coupling_.has_row(place); }
+    [[nodiscard]] std::size_t row_index(std::size_t place) const;  ///< place in the matrix, that has one
     [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
     [[nodiscard]] RowBuilder::Size size_of(std::size_t pair) const { return pairs_[pair].builder->size(); }
 

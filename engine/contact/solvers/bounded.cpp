@@ -10,6 +10,11 @@ namespace {
 constexpr int relaxation_sweeps =
     500;  // from zero forces: cut short, they are too small rather than too large
 
+bool unbounded(const ProfileMatrix& a, std::size_t k) {
+    const auto row = static_cast<std::int32_t>(k);
+    return a.at(row, row) < 0;
+}
+
 struct NoTension {
     static constexpr bool zero = true;  // every finite bound is
     [[nodiscard]] static double lower(std::size_t) { return 0; }
@@ -60,8 +65,8 @@ int BoundedSolver::pivot(const Bounds& bounds, const ProfileMatrix& a, std::span
         solve_between(bounds, a, p, standing, c, begin, end);
         // The usual end of a warm start: all rows are solved for and within their bounds.
         const auto fits = [&](std::size_t k) {
-            return cholesky_.used(static_cast<std::int32_t>(k)) && c[k] >= bounds.lower(k) &&
-                   c[k] <= bounds.upper(k);
+            return cholesky_.used(static_cast<std::int32_t>(k)) &&
+                   ((c[k] >= bounds.lower(k) && c[k] <= bounds.upper(k)) || unbounded(a, k));
         };
         std::size_t fitting = first;
         while (fitting < last && fits(fitting)) ++fitting;
@@ -72,7 +77,10 @@ int BoundedSolver::pivot(const Bounds& bounds, const ProfileMatrix& a, std::span
         /// Where a force should stand, if not where it does.
         const auto better = [&](std::size_t k) {
             if (standing[k] == between)
-                return c[k] < bounds.lower(k) ? at_lower : c[k] > bounds.upper(k) ? at_upper : between;
+                return unbounded(a, k)          ? between
+                       : c[k] < bounds.lower(k) ? at_lower
+                       : c[k] > bounds.upper(k) ? at_upper
+                                                : between;
             if (bounds.lower(k) == bounds.upper(k)) return standing[k];
             return (standing[k] == at_lower ? wants_more(k) : wants_less(k)) ? between : standing[k];
         };
@@ -132,25 +140,42 @@ void BoundedSolver::solve_between(const Bounds& bounds, const ProfileMatrix& a, 
             if (standing[k] != between) c[k] = at_bound(k);
 }
 
+/// Unbounded unknowns follow from the forces at once: l = (row of l) . C, whatever their own diagonal of -1.
 template <class Bounds>
 void BoundedSolver::relax(const Bounds& bounds, const ProfileMatrix& a, std::span<const double> p,
                           std::span<double> c, std::int32_t begin, std::int32_t end) {
     relaxed_ = true;
     std::fill(c.begin() + begin, c.begin() + end, 0.0);
+    unbounded_.clear();
+    for (std::int32_t i = begin; i < end; ++i)
+        if (a.at(i, i) < 0) unbounded_.push_back({i, 0});
+    /// Of a force with an unbounded unknown.
+    const auto with = [&](std::int32_t i, std::int32_t l) {
+        return l > i ? (a.first(l) <= i ? a.at(l, i) : 0) : (a.first(i) <= l ? a.at(i, l) : 0);
+    };
     for (int sweep = 0; sweep < relaxation_sweeps; ++sweep) {
         double largest_change = 0, largest = 0;
         a.multiply(c, gap_, begin, end);
+        for (Unbounded& l : unbounded_) l.counted = c[static_cast<std::size_t>(l.row)];
         for (std::int32_t k = begin; k < end; ++k)
             gap_[static_cast<std::size_t>(k)] -= p[static_cast<std::size_t>(k)];
         for (std::int32_t i = begin; i < end; ++i) {
             const auto k = static_cast<std::size_t>(i);
             if (a.at(i, i) <= 0) continue;
-            const double force = std::clamp(c[k] - gap_[k] / a.at(i, i), bounds.lower(k), bounds.upper(k)),
+            double diagonal = a.at(i, i), gap = gap_[k];
+            for (const Unbounded& l : unbounded_) {
+                const double share = with(i, l.row);
+                diagonal += share * share;
+                gap += share * (c[static_cast<std::size_t>(l.row)] - l.counted);
+            }
+            const double force = std::clamp(c[k] - gap / diagonal, bounds.lower(k), bounds.upper(k)),
                          change = force - c[k];
             if (change == 0) continue;
             c[k] = force;
             for (std::int32_t j = i + 1; j < end; ++j)
                 if (a.first(j) <= i) gap_[static_cast<std::size_t>(j)] += a.at(j, i) * change;
+            for (const Unbounded& l : unbounded_)
+                c[static_cast<std::size_t>(l.row)] += with(i, l.row) * change;
             largest_change = std::max(largest_change, std::abs(change));
             largest = std::max(largest, std::abs(force));
         }

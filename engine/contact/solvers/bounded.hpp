@@ -13,6 +13,9 @@ namespace percuss {
 /// doi:10.1016/0305-0548(94)90106-6): all wrong signs change sides at once, and when their number stops
 /// falling, one at a time (Murty's rule), which always ends. Where rows depend on each other (held master
 /// nodes) and exclude each other as equations, projected Gauss-Seidel takes over.
+///
+/// A row with a negative diagonal is an unknown without bounds, which stands `between`, and its P is 0: see
+/// Coupling. Those couple with other rows only.
 class BoundedSolver final : public NonnegativeSolver {
   public:
     /// Where a force stands. The first two are what a flag "is active" says of a force that only has a lower
@@ -51,7 +54,12 @@ class BoundedSolver final : public NonnegativeSolver {
                std::int32_t begin, std::int32_t end);
 
     ProfileCholesky cholesky_;
+    struct Unbounded {
+        std::int32_t row;
+        double counted;  // its value in gap_
+    };
     std::vector<double> gap_;
+    std::vector<Unbounded> unbounded_;  // used by relax
     int dependent_ = 0;
     bool relaxed_ = false;
 };

@@ -56,7 +56,7 @@ int ProfileCholesky::factorise(const ProfileMatrix& matrix, std::span<const char
             pivot -= value * entry[j];
             entry[j] = value;
         }
-        if (pivot > 1e-12 * diagonal) {
+        if (pivot > 1e-12 * diagonal || diagonal < 0) {
             inverse_pivot_[static_cast<std::size_t>(i)] = 1 / pivot;
         } else if (diagonal > 0) {
             ++dependent;

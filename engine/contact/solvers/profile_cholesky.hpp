@@ -60,9 +60,9 @@ class ProfileMatrix {
     std::vector<double> values_;
 };
 
-/// Factors A = L D L^T of the rows whose `active` is 1; the others are left out as if they were not in the
-/// matrix. A row that depends on the rows before it (pivot at most 1e-12 of its diagonal) is left out too and
-/// gets the answer 0.
+/// Factors A = L D L^T, D positive but for rows with a negative diagonal, of the rows whose `active` is 1;
+/// the others are left out as if they were not in the matrix. A row that depends on the rows before it (pivot
+/// at most 1e-12 of its diagonal) is left out too and gets the answer 0.
 class ProfileCholesky {
   public:
     /// Room for so many rows and entries of a matrix.

@@ -141,6 +141,8 @@ TEST(Fuzzy, LettersInOrderClosestFirst) {
     EXPECT_THAT(fuzzy_matches("RD", scenes), ElementsAre("scenes/hard/narrow-lid.toml", "scenes/rods.toml"));
     EXPECT_THAT(fuzzy_matches("xyz", scenes), ElementsAre());
     EXPECT_EQ(fuzzy_matches("", scenes), scenes);
+    EXPECT_THAT(fuzzy_matches("d/", {"d/3-long.toml", "d/1-longest.toml", "a/d/2.toml", "e.toml"}),
+                ElementsAre("a/d/2.toml", "d/1-longest.toml", "d/3-long.toml"));
 }
 
 TEST(Curves, APastStandsBeforeTheRows) {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "live/probe_curves.hpp"
 #include "record/sample_run.hpp"
 
 namespace percuss::app {
@@ -143,6 +144,40 @@ TEST(Recording, ADamagedFrameGivesTheOneBeforeAndAMessage) {
     EXPECT_EQ(get(recording, 0.5)->step, 35);
     get(recording, 0.4);
     EXPECT_TRUE(recording.take_messages().empty()) << "said once";
+}
+
+TEST(Recording, AProbeIsReadOffAllFramesBesideWhatIsShown) {
+    Disk disk;
+    disk.damaged = 4;
+    const std::size_t one = memory_of(test::sample_snapshot(test::sample_setup(), 1));
+    Recording recording("run.h5", opener(disk), 3 * one);
+    const Probe probe{"a", "striker", Vec2(1.9, 0.1), {"velocity.y", "stress.y"}, {}};
+    EXPECT_FALSE(recording.reading_probes());
+    recording.add_probe(probe);
+    EXPECT_TRUE(recording.reading_probes());
+    ASSERT_TRUE(get(recording, 0.9)) << "what is to be shown does not wait for it";
+    for (int i = 0; i < 5000 && recording.reading_probes(); ++i) std::this_thread::sleep_for(1ms);
+    const std::vector<SetProbe> probes = recording.probes();
+    ASSERT_EQ(probes.size(), 1U);
+    const History& rows = *probes[0].rows;
+    EXPECT_EQ(rows.columns().at(2).name, "probe.a.stress.y");
+    EXPECT_LE(recording.bytes(), 3 * one) << "they are not kept";
+    ASSERT_EQ(rows.rows(), 9U) << "all but the damaged one";
+    EXPECT_EQ(recording.take_messages().size(), 1U);
+    const auto setup = test::sample_setup();
+    const std::vector<ProbeReading> readings = bind_probe(setup->scene, setup->mesh, probe);
+    for (std::size_t row = 0; row < 9; ++row) {
+        const Snapshot frame = test::sample_snapshot(setup, static_cast<int>(row < 4 ? row : row + 1));
+        EXPECT_EQ(rows.values(0, row, row + 1)[0], frame.time);
+        for (std::size_t k = 0; k < 2; ++k)
+            EXPECT_EQ(rows.values(k + 1, row, row + 1)[0], value_of(frame, readings[k]));
+    }
+    recording.add_probe({"b", "anvil", Vec2(0.5, -0.5), {"velocity.x"}, {}});
+    recording.remove_probe("a");
+    for (int i = 0; i < 5000 && recording.reading_probes(); ++i) std::this_thread::sleep_for(1ms);
+    ASSERT_EQ(recording.probes().size(), 1U);
+    EXPECT_EQ(recording.probes()[0].probe.name, "b");
+    EXPECT_EQ(recording.probes()[0].rows->rows(), 9U) << "from the first frame on";
 }
 
 TEST(Recording, WithoutAFrameThereIsNothingToShow) {

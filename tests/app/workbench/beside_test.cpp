@@ -4,6 +4,7 @@
 namespace percuss {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 class BesideWindowTest : public test::WindowTest {};
@@ -45,6 +46,36 @@ expect beside = 0
     const Place own = widgets_["viewport"], other = widgets_["viewport.beside.1"];
     EXPECT_GE(other[1], own[3] - 1) << "above each other in a narrow viewport";
     EXPECT_NEAR(other[3] - other[1], own[3] - own[1], 6);
+}
+
+TEST_F(BesideWindowTest, TheSameDesignHasTheSamePicture) {
+    fs::copy_file(fs::path(PERCUSS_SOURCE_DIR) / "scenes/rods.toml", path("scene.toml"),
+                  fs::copy_options::overwrite_existing);
+    play(R"(
+wait time = 0
+until 0.03
+do run.until
+wait time >= 0.03
+wait status = paused
+wait beside.busy = 0
+do view.fit
+move run.toggle
+frames 3
+widgets
+screenshot both.png
+)",
+         {"--beside", "view.edges=true"});
+    const render::Image image = render::read_png(path("both.png"));
+    const Place own = widgets_["viewport"], other = widgets_["viewport.beside.1"];
+    const auto drawn = [&](const Place& place) {
+        int count = 0;
+        for (int y = place[1] + 40; y < place[3]; ++y)  // beneath the labels in the corners
+            for (int x = place[0] + 2; x < place[2] - 2; ++x)
+                count += image.pixels[3 * (static_cast<std::size_t>(y) * image.width + x)] < 240;
+        return count;
+    };
+    EXPECT_GT(drawn(own), 10000);
+    EXPECT_NEAR(drawn(other), drawn(own), 0.05 * drawn(own)) << "both halves of both";
 }
 
 TEST_F(BesideWindowTest, ADesignStaysBesideWhileTheOtherIsChanged) {

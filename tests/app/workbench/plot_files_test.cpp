@@ -38,6 +38,15 @@ TEST_F(PlotFilesTest, AThinnedRunSaysWhatItsRowsAre) {
     contents.runs[0].begin = 1024;
     write_plot_csv(path("newest.csv"), contents);
     EXPECT_THAT(test::text_of(path("newest.csv")), testing::Not(testing::HasSubstr("what the row is")));
+    EXPECT_EQ(figure_of(contents, "").charts.at(0).title, "");
+
+    contents.runs[0].begin = 0;
+    EXPECT_EQ(figure_of(contents, "").charts.at(0).title,
+              "until 512 ms the least and greatest of every few steps");
+    contents.runs.push_back({history, "reference ", 1024, rows, {1}, {0}});
+    contents.thinned_before = 1000;
+    EXPECT_EQ(figure_of(contents, "").charts.at(0).title,
+              "dashed: the reference; until 1000 ms the least and greatest of every few steps");
 }
 
 }  // namespace

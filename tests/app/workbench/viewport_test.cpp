@@ -100,6 +100,41 @@ screenshot back.png
     EXPECT_EQ(more("back.png", "automatic.png", master_ink), 0);
 }
 
+TEST_F(ViewportTest, AProbeOfARecordedRunHasACurveOverItsFrames) {
+    ASSERT_EQ(run({"run", "scene.toml", "--out", "out", "--no-render"}).status, 0);
+    write("script.txt", R"(
+wait recorded = 1
+frames 3
+right-click viewport 0.5 0.4
+frames 3
+click viewport.menu.probe
+wait probes = 1
+wait probe.rows = 101
+expect moments = 101
+frames 3
+click plots.probes.von_mises.menu
+frames 2
+click plots.probes.von_mises.menu.csv
+wait export.written contains probes
+click probes.p1.remove
+wait probes = 0
+frames 2
+right-click viewport 0.5 0.4
+frames 3
+click viewport.menu.fields
+frames 3
+click viewport.menu.fields.velocity.y
+wait probe.rows = 101
+frames 2
+move plots.probes.velocity.y 0.5 0.5
+)");
+    const auto outcome = run({"view", "out", "--headless", "--script", "script.txt"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string csv = test::text_of(path("out-probes.von_mises.csv"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 102);
+    EXPECT_NE(csv.find("probe.p1"), std::string::npos);
+}
+
 TEST_F(ViewportTest, AClickOpensAMenuThatPutsAProbe) {
     play(R"(
 wait time = 0

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -113,6 +115,75 @@ TEST(Coupling, GroupsShareNoNodesAndHoldEveryRowOnce) {
         most_groups = std::max(most_groups, coupling.groups().size());
     }
     EXPECT_GT(most_groups, 3U);
+}
+
+/// Forces of all rows, by row, for what each would have to prevent.
+std::vector<double> forces_of(const Coupling& coupling, const std::vector<double>& penetration,
+                              std::span<const double> limit = {}) {
+    const std::size_t places = coupling.places();
+    std::vector<double> p(places, 0), c(places), limits(places, 0), forces(penetration.size());
+    std::vector<char> standing(places, BoundedSolver::between);
+    for (std::size_t place = 0; place < places; ++place) {
+        if (!coupling.has_row(place)) continue;
+        const auto row = static_cast<std::size_t>(coupling.order()[place]);
+        p[place] = penetration[row];
+        if (!limit.empty()) limits[place] = limit[row];
+    }
+    BoundedSolver solver;
+    for (const Coupling::Group& group : coupling.groups()) {
+        if (limit.empty())
+            solver.solve(coupling.matrix(), p, standing, c, group.begin, group.end);
+        else
+            solver.solve_within(limits, coupling.matrix(), p, standing, c, group.begin, group.end);
+        EXPECT_FALSE(solver.relaxed());
+    }
+    for (std::size_t place = 0; place < places; ++place)
+        if (coupling.has_row(place)) forces[static_cast<std::size_t>(coupling.order()[place])] = c[place];
+    return forces;
+}
+
+// A fine chain on three sides of a coarse one, and those sides' nodes on the chain.
+TEST(Coupling, NodesOfManyRowsAreSplitOffAndTheForcesStay) {
+    Rng random(13);
+    constexpr std::int32_t coarse = 4, each = 100, fine = each * (coarse - 1);
+    std::vector<NodeRow> rows;
+    const auto add = [&](std::int32_t node, std::int32_t i, double a) {
+        NodeRow& row = rows.emplace_back();
+        row.node = {node, i, i + 1};
+        row.share = {1, a - 1, -a};
+        const double angle = 1.5 + random.uniform(-0.2, 0.2);
+        row.normal = {std::cos(angle), std::sin(angle)};
+    };
+    for (std::int32_t k = 0; k < fine; ++k) add(coarse + k, k / each, (k % each + 0.5) / each);
+    for (std::int32_t k = 1; k + 1 < coarse; ++k) add(k, coarse + k * each - 1, 0.5);
+    std::vector<std::int32_t> all(rows.size());
+    std::iota(all.begin(), all.end(), 0);
+    const std::vector<double> inverse_mass = random.vector(2 * (coarse + fine), 0.5, 2);
+    const std::vector<double> penetration = random.vector(static_cast<int>(rows.size()), -1, 3),
+                              limit = random.vector(static_cast<int>(rows.size()), 0, 0.5);
+    Coupling split(coarse + fine), whole(coarse + fine);
+    whole.split_off(false);
+    for (Coupling* coupling : {&split, &whole})
+        coupling->assemble(common_form(rows).all(), all, inverse_mass.data(), 3);
+    EXPECT_EQ(whole.places(), rows.size());
+    EXPECT_EQ(split.places(), rows.size() + 2 * coarse);
+    EXPECT_EQ(split.groups().size(), 1U);
+    EXPECT_GT(whole.matrix().values().size(), 50 * rows.size());
+    EXPECT_LT(split.matrix().values().size(), 12 * rows.size());
+    const auto a = forces_of(split, penetration), b = forces_of(whole, penetration);
+    const auto friction_a = forces_of(split, penetration, limit),
+               friction_b = forces_of(whole, penetration, limit);
+    int pressed = 0, sticking = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        // Some 300 products of numbers up to 1, on a diagonal of at least 1.
+        EXPECT_NEAR(a[k], b[k], 1e-11) << k;
+        EXPECT_NEAR(friction_a[k], friction_b[k], 1e-11) << k;
+        pressed += b[k] > 0;
+        sticking += std::abs(friction_b[k]) < limit[k];
+    }
+    EXPECT_GT(pressed, 30);
+    EXPECT_LT(pressed, fine);
+    EXPECT_GT(sticking, 10);
 }
 
 // All rows on one wall share its two nodes.

@@ -179,5 +179,24 @@ TEST(BoundedSolver, FindsForcesWithinTheirLimits) {
     EXPECT_GT(between, 100);
 }
 
+// Two rows that ask for different gaps of one and the same motion, half of it by an unknown without bounds.
+TEST(BoundedSolver, RelaxesRowsThatExcludeEachOtherBesideUnboundedUnknowns) {
+    ProfileMatrix a;
+    for (int k = 0; k < 3; ++k) a.append_row(0);
+    const double g = 0.8;
+    a.at(0, 0) = a.at(1, 0) = a.at(1, 1) = 1;
+    a.at(2, 0) = a.at(2, 1) = g;
+    a.at(2, 2) = -1;
+    const std::vector<double> p{1, 2, 0};
+    std::vector<double> c(3);
+    std::vector<char> standing(3, BoundedSolver::between);
+    BoundedSolver solver;
+    solver.solve(a, p, standing, c);
+    EXPECT_NEAR((1 + g * g) * (c[0] + c[1]), 2, 1e-9) << "the deeper one is closed";
+    EXPECT_GE(c[0], 0);
+    EXPECT_GE(c[1], 0);
+    EXPECT_NEAR(c[2], g * (c[0] + c[1]), 1e-9);
+}
+
 }  // namespace
 }  // namespace percuss
