@@ -72,6 +72,13 @@ class MeshCheck {
                 fmt::format("the scheme \"massless\" needs two layers of elements behind a surface; at "
                             "{} there is one: divide the body more finely, or choose another scheme",
                             text(mesh_.nodes[static_cast<std::size_t>(*bare)])));
+        for (const MeshBody& body : mesh_.bodies)
+            if (body.kind == ElementKind::triangle_averaged)
+                faults_.error(
+                    place,
+                    fmt::format("the scheme \"massless\" takes no averaged triangles, and body '{}' has "
+                                "them; choose another element or another scheme",
+                                body.name));
         const ImposedMotion imposed = impose_motion(scene_, mesh_);
         if (imposed.timed)
             faults_.error(place,

@@ -122,8 +122,8 @@ class Editor {
         const std::vector<Difference> all = differences(*tree, wanted_);
         if (all.empty()) return false;
         // Keys that are to go make room for those that come, so these are first.
-        const auto first = std::find_if(all.begin(), all.end(), [](const Difference& d) { return d.after; });
-        if (first == all.end()) throw std::runtime_error(all.front().key);
+        auto first = std::find_if(all.begin(), all.end(), [](const Difference& d) { return d.after; });
+        if (first == all.end()) first = all.begin();
         for (const std::string& candidate : candidates(*tree, *first, all)) {
             const auto then = parsed(candidate);
             if (!then || differences(*then, wanted_).size() >= all.size()) continue;
@@ -163,6 +163,11 @@ class Editor {
     /// The text with the difference mended, in the order of preference; not all of them need be right.
     [[nodiscard]] std::vector<std::string> candidates(const toml::table& tree, const Difference& d,
                                                       const std::vector<Difference>& all) const {
+        if (d.after == nullptr) {
+            if (!is_inline(*d.before)) return {};
+            return {without_key(at(d.table->find(d.key)->first.source().begin), at(d.before->source().end),
+                                d.table->is_inline())};
+        }
         if (d.before != nullptr) {
             if (!is_inline(*d.before)) return {};
             const auto& source = d.before->source();
@@ -196,6 +201,19 @@ class Editor {
         }
         if (!header.empty()) result.push_back(text_ + gap + "[" + header + "]" + break_ + line + break_);
         return result;
+    }
+
+    /// Without what stands from begin to end: with its comma in an inline table, else with its whole line.
+    [[nodiscard]] std::string without_key(std::size_t begin, std::size_t end, bool in_table) const {
+        if (!in_table) {
+            const std::size_t before = text_.rfind('\n', begin), after = text_.find('\n', end);
+            return replaced(before == std::string::npos ? 0 : before + 1,
+                            after == std::string::npos ? text_.size() : after + 1, "");
+        }
+        const std::size_t next = text_.find_first_not_of(" \t", end);
+        if (text_[next] == ',') return replaced(begin, text_.find_first_not_of(" \t", next + 1), "");
+        const std::size_t last = text_.find_last_not_of(" \t", begin - 1);
+        return replaced(text_[last] == ',' ? last : begin, end, "");
     }
 
     /// The key at the end of the section of its table, or of the nearest table around it that has a section.

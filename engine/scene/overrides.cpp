@@ -1,5 +1,6 @@
 #include "scene/overrides.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <span>
@@ -51,10 +52,14 @@ bool is_bare_word(std::string_view text) {
     return text.find_first_of("\"'[]{}=,#\n\r\t\\") == std::string_view::npos;
 }
 
+constexpr std::string_view scheme_key = "contact_solver.scheme";
+
 /// One override under way: where in the tree it goes, and what to say when it cannot.
 class Override {
   public:
-    Override(std::size_t number, Faults& faults) : number_(number), faults_(&faults) {}
+    /// @param last_scheme whether no later override chooses the scheme of contact anew.
+    Override(std::size_t number, bool last_scheme, Faults& faults)
+        : number_(number), last_scheme_(last_scheme), faults_(&faults) {}
 
     void apply(toml::table& root, std::string_view text) {
         const auto equals = text.find('=');
@@ -77,8 +82,7 @@ class Override {
         set_in_table(root, path, "the scene");
         if (joined(path) == "model.step.fixed") forget(root, "courant");
         if (joined(path) == "model.step.courant") forget(root, "fixed");
-        if (joined(path) == "contact_solver.scheme" && value_.find("projection") != std::string_view::npos)
-            forget_rows(root);
+        if (joined(path) == scheme_key && last_scheme_) forget_other_schemes(root);
     }
 
   private:
@@ -107,8 +111,17 @@ class Override {
         if (auto* step = root.at_path("model.step").as_table()) step->erase(key);
     }
 
-    /// The projection has rows of its own: those of the joint problem would be a fault.
-    static void forget_rows(toml::table& root) {
+    /// What a scene says for one scheme of contact would be a fault with another. The projection has rows of
+    /// its own, too.
+    void forget_other_schemes(toml::table& root) const {
+        const auto is = [&](std::string_view scheme) { return value_ == scheme || value_ == quoted(scheme); };
+        if (auto* solver = root["contact_solver"].as_table()) {
+            if (!is("penalty") && !is("bipenalty")) solver->erase("penalty");
+            if (!is("penalty")) solver->erase("step");
+            if (!is("joint")) solver->erase("recovery_speed");
+            if (!is("joint") && !is("bipenalty")) solver->erase("solver");
+        }
+        if (!is("projection")) return;
         if (auto* pairs = root["contact"].as_array())
             for (toml::node& pair : *pairs)
                 if (auto* table = pair.as_table()) table->erase("scheme");
@@ -202,6 +215,7 @@ class Override {
     }
 
     std::size_t number_;
+    bool last_scheme_;
     Faults* faults_;
     std::string_view value_;
     bool plain_ = true;  // may be given to the TOML parser without quotes
@@ -210,7 +224,12 @@ class Override {
 }  // namespace
 
 void apply_overrides(toml::table& root, const std::vector<std::string>& overrides, Faults& faults) {
-    for (std::size_t i = 0; i < overrides.size(); ++i) Override(i + 1, faults).apply(root, overrides[i]);
+    const auto last = std::find_if(overrides.rbegin(), overrides.rend(), [](const std::string& text) {
+        return std::string_view(text).substr(0, text.find('=')) == scheme_key;
+    });
+    const auto last_scheme = static_cast<std::size_t>(overrides.rend() - last);  // counted from 1
+    for (std::size_t i = 0; i < overrides.size(); ++i)
+        Override(i + 1, i + 1 == last_scheme, faults).apply(root, overrides[i]);
 }
 
 }  // namespace percuss

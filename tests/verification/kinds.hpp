@@ -68,6 +68,8 @@ inline const Kind kinds_of_runs[] = {
      [] { return past_a_corner("penalty", "bodies = [\"flyer\", \"block\"]\nfriction = 0.2\n"); }},
     {"corner_on_springs_with_inertia",
      [] { return past_a_corner("bipenalty", "bodies = [\"flyer\", \"block\"]\n"); }},
+    {"corner_without_mass",
+     [] { return past_a_corner("massless", "bodies = [\"flyer\", \"block\"]\n"); }},
     {"corner_with_damped_layers",
      [] {
          return past_a_corner("joint", "bodies = [\"flyer\", \"block\"]\nlayer = { viscosity = 0.06 }\n");

@@ -59,14 +59,6 @@ const Change changes[] = {
     {"friction", nail({"parameters.friction=0.1"}), "parameters.friction", "0.1", "0.02", 1200},
     {"recovery_speed", nail({"contact_solver.recovery_speed=1"}), "contact_solver.recovery_speed", "1",
      "0.01", 1200},
-    {"penalty", of(small_scene + "[contact_solver]\nscheme = \"penalty\"\npenalty = 0.1\n"),
-     "contact_solver.penalty", "0.1", "0.5"},
-    {"step_of_springs",
-     of(small_scene + "[contact_solver]\nscheme = \"penalty\"\npenalty = 0.5\nstep = "
-                      "\"springs\"\n"),
-     "contact_solver.step", "springs", "elements"},
-    {"springs_or_rows", of(small_scene + "[contact_solver]\nscheme = \"penalty\"\n"), "contact_solver.scheme",
-     "penalty", "bipenalty"},
     {"solver", nail({"contact_solver.solver=active-set"}), "contact_solver.solver", "active-set",
      "conjugate-gradient", 1200},
     {"scheme", nail({}), "contact_solver.scheme", "joint", "projection", 1200},
@@ -195,6 +187,13 @@ TEST(ChangeInFlightOf, WhatTheSceneDoesNotCallForBuildsAnew) {
     EXPECT_EQ(effect(small_scene, "material.steel.young=200"), ChangeEffect::rebuild);
     EXPECT_EQ(effect(small_scene, "view.field=pressure"), ChangeEffect::none);
     EXPECT_EQ(effect(small_scene, "model.duration=0.2"), ChangeEffect::rebuild);
+    const std::string springs = small_scene + "[contact_solver]\nscheme = \"penalty\"\n";
+    EXPECT_EQ(effect(springs, "contact_solver.penalty=0.5"), ChangeEffect::rebuild);
+    EXPECT_EQ(effect(springs, "contact_solver.step=elements"), ChangeEffect::rebuild);
+    EXPECT_EQ(effect(springs, "contact_solver.scheme=bipenalty"), ChangeEffect::rebuild);
+    EXPECT_EQ(effect(springs, "contact_solver.scheme=joint"), ChangeEffect::rebuild);
+    EXPECT_EQ(effect(small_scene, "contact_solver.scheme=massless"), ChangeEffect::rebuild);
+    EXPECT_EQ(effect(small_scene, "contact_solver.scheme=joint"), ChangeEffect::next_step);
 }
 
 TEST(ChangeInFlightOf, AFixedStepAboveTheNewCriticalOneIsRefused) {

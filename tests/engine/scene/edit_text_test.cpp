@@ -97,6 +97,18 @@ TEST(EditText, OneKeyTakesTheOthersPlace) {
     EXPECT_EQ(edited(small, {"model.step.fixed=1e-5"}), with(small, "courant = 0.9", "fixed = 1e-5"));
 }
 
+TEST(EditText, KeysThatAnotherSchemeHasNoUseForGo) {
+    const std::string springs = small + "[contact_solver]\nscheme = \"penalty\"\n";
+    EXPECT_EQ(edited(springs + "penalty = 0.3 # soft\nstep = \"elements\"", {"contact_solver.scheme=joint"}),
+              small + "[contact_solver]\nscheme = \"joint\"\n");
+    const auto in_line = [](const std::string& keys) {
+        return "contact_solver = { " + keys + " }\n" + small;
+    };
+    const std::string joint = in_line("scheme = \"joint\"");
+    EXPECT_EQ(edited(in_line("scheme = \"penalty\", penalty = 0.3"), {"contact_solver.scheme=joint"}), joint);
+    EXPECT_EQ(edited(in_line("penalty = 0.3, scheme = \"penalty\""), {"contact_solver.scheme=joint"}), joint);
+}
+
 TEST(EditText, NewKeysGoToTheEndOfTheirTable) {
     EXPECT_EQ(edited(small, {"contact.impact.sign=unrestricted"}), small + "sign = \"unrestricted\"\n");
     EXPECT_EQ(edited(small, {"material.steel.viscosity={linear = 0.06}"}),

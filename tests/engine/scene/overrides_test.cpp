@@ -34,6 +34,33 @@ TEST(Override, OfFixedStepTakesCourantAwayAndTheReverse) {
     EXPECT_FALSE(with({"model.step.fixed=2e-4", "model.step.courant=0.7"}).step.fixed);
 }
 
+TEST(Override, OfTheContactSchemeTakesAwayWhatOthersSay) {
+    const auto springs =
+        small_scene + "[contact_solver]\nscheme = \"penalty\"\npenalty = 0.3\nstep = \"elements\"\n";
+    const auto solver = [&](const std::vector<std::string>& overrides) {
+        return parse_scene(springs, "scene.toml", overrides).contact_solver;
+    };
+    const std::string key = "contact_solver.scheme=";
+    EXPECT_EQ(solver({key + "joint"}).scheme, ContactScheme::joint);
+    EXPECT_EQ(solver({key + "projection"}).scheme, ContactScheme::projection);
+    EXPECT_EQ(solver({key + "bipenalty"}).penalty, 0.3) << "it has springs, too";
+    EXPECT_FALSE(solver({key + "\"bipenalty\""}).step_of_elements);
+    // The last one counts: nothing is lost on the way there and back.
+    const ContactSolver back = solver({key + "joint", key + "penalty"});
+    EXPECT_EQ(back.penalty, 0.3);
+    EXPECT_TRUE(back.step_of_elements);
+    EXPECT_EQ(solver({"contact_solver.penalty=2", key + "joint"}).scheme, ContactScheme::joint);
+    // What is asked for after it is a fault as ever.
+    EXPECT_THROW(solver({key + "joint", "contact_solver.penalty=2"}), SceneError);
+    const auto joint = small_scene +
+                       "[contact_solver]\nscheme = \"joint\"\nrecovery_speed = 2\nsolver = "
+                       "\"gauss-seidel\"\n";
+    for (const char* scheme : {"penalty", "bipenalty", "projection"})
+        EXPECT_NO_THROW(parse_scene(joint, "scene.toml", {key + scheme})) << scheme;
+    EXPECT_EQ(parse_scene(joint, "scene.toml", {key + "bipenalty"}).contact_solver.solver,
+              ForceSolver::gauss_seidel);
+}
+
 TEST(Override, ReachesPromisesWithDotsInTheirPath) {
     const auto text = small_scene + "[expect]\n\"energy.maximum_loss\" = { value = 1, tolerance = 2 }\n";
     const auto scene = parse_scene(

@@ -1,0 +1,75 @@
+// Contact nodes without mass: what they keep, what they lose, what they cannot do.
+#include <gmock/gmock.h>
+
+#include "engine/scene/small_scene.hpp"
+#include "verification/schemes.hpp"
+
+namespace percuss::testing {
+namespace {
+
+const std::string massless = "[contact_solver]\nscheme = \"massless\"\n";
+
+/// A bar of 20 elements hits a wall that it touches.
+Scene bar_on_a_wall(const std::string& solver) {
+    return scene_of(scene_head("plane stress", 0.06, 0) +
+                    box_body("bar", {0, 0, 2, 100}, {2, 20}, "velocity = [0, -10]") +
+                    "[[wall]]\nname = \"floor\"\npoint = [0, 0]\nnormal = [0, 1]\n" + solver +
+                    contact_pair("hit", "bar.bottom", "floor"));
+}
+
+// With mass, the face nodes stop dead: half an element of twenty, 1/40 of the energy. Without, the layer is
+// taken for 1 % stiffer than it is, which damps its own swing: less than that part of what the face nodes
+// had.
+TEST(MasslessNodes, LoseNothingOnAWall) {
+    RecordedRun with(bar_on_a_wall(joint_problem)), without(bar_on_a_wall(massless));
+    with.to_end();
+    without.to_end();
+    EXPECT_NEAR(with.solver.statistics().maximum_loss, 1.0 / 40, 1e-6);
+    const RunStatistics s = without.solver.statistics();
+    EXPECT_LT(s.maximum_loss, 0.05 / 40);
+    EXPECT_LT(s.maximum_growth, 1e-4);
+    EXPECT_EQ(s.pairs[0].events, 2);
+    EXPECT_LT(momentum_error(s), 1e-12);
+    // It leaves as fast as it came, but for what rings in it.
+    const double mass = 200 * density;
+    EXPECT_NEAR(s.pairs[0].impulse[1], 2 * 10 * mass, 0.01 * 2 * 10 * mass);
+    EXPECT_LT(s.pairs[0].max_penetration, 1e-6);
+    EXPECT_EQ(s.contact_solver.fallbacks, 0);
+}
+
+TEST(MasslessNodes, KeepMomentaAndEnergyOnFacesThatDoNotMatch) {
+    for (const double nu : {0.0, 0.3}) {
+        RecordedRun run(scene_of(scene_head("plane strain", 0.02, nu) +
+                                 box_body("flyer", {1, 10.003, 7, 16}, {5, 6}, "velocity = [15, -30]") +
+                                 box_body("target", {0, 0, 12, 10}, {7, 8}) + massless +
+                                 "[[contact]]\nname = \"hit\"\nbodies = [\"flyer\", \"target\"]\n"));
+        const double before = run.solver.statistics().initial_energy;
+        run.to_end();
+        const RunStatistics s = run.solver.statistics();
+        EXPECT_GT(before, 0);
+        EXPECT_GT(s.pairs[0].impulse[1], 0.01);
+        EXPECT_LT(momentum_error(s), 1e-12);
+        EXPECT_LT(s.maximum_growth, 1e-3) << nu;
+        EXPECT_LT(s.maximum_loss, 5e-3) << nu;
+    }
+}
+
+TEST(MasslessNodes, FaultsAreToldWithTheirCure) {
+    EXPECT_THAT(faults_of(changed(small_scene, "divisions = [4, 2]", "divisions = [4, 1]") + massless), "");
+    EXPECT_THAT(
+        faults_of(changed(changed(small_scene, "slave = \"hammer.top\"", "slave = \"hammer\""),
+                          "divisions = [4, 2]", "divisions = [4, 1]") +
+                  massless),
+        ::testing::HasSubstr("the scheme \"massless\" needs two layers of elements behind a surface; at "));
+    EXPECT_THAT(
+        faults_of(changed(small_scene, "slave = \"hammer.top\"", "slave = \"hammer.top\"\nfriction = 0.1") +
+                  massless),
+        ::testing::HasSubstr("contact nodes without mass have no slip to stop; leave 'friction' out"));
+    EXPECT_THAT(
+        faults_of(changed(small_scene, "name = \"rod\"", "name = \"rod\"\nelement = \"averaged triangle\"") +
+                  massless),
+        ::testing::HasSubstr("takes no averaged triangles, and body 'rod' has them"));
+}
+
+}  // namespace
+}  // namespace percuss::testing
