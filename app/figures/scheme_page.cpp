@@ -56,7 +56,9 @@ std::optional<std::array<double, 2>> sound_range(const render::Chart& chart,
             high = std::max(high, value);
         }
     }
-    const double margin = 0.05 * (high - low);
+    // What varies by rounding only is a flat line.
+    const double largest = std::max(std::abs(low), std::abs(high));
+    const double margin = high - low > 1e-9 * largest ? 0.05 * (high - low) : 0.1 * largest;
     return margin > 0 ? std::optional(std::array{low - margin, high + margin}) : std::nullopt;
 }
 

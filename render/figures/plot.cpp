@@ -51,13 +51,14 @@ std::array<double, 2> extent(const std::vector<Curve>& curves, std::vector<doubl
     return {low, high};
 }
 
-/// Room above and below the curves; zero is shown when it is near.
+/// Room above and below the curves; zero is shown when it is near. What varies by rounding only is constant.
 std::array<double, 2> padded(std::array<double, 2> range) {
     auto [low, high] = range;
     if (low > 0 && low < 0.35 * high) low = 0;
     if (high < 0 && high > 0.35 * low) high = 0;
     double span = high - low;
-    if (!(span > 0)) span = std::abs(high) > 0 ? std::abs(high) : 1;
+    const double largest = std::max(std::abs(low), std::abs(high));
+    if (!(span > 1e-9 * largest)) span = largest > 0 ? largest : 1;
     return {low == 0 ? -0.03 * span : low - 0.06 * span, high == 0 ? 0.03 * span : high + 0.06 * span};
 }
 

@@ -100,6 +100,19 @@ TEST(Figure, ExactCurvesAreDashed) {
     EXPECT_LT(dashes, 0.85 * line);
 }
 
+// Energies that differ by 1e-13: an axis as fine as that would show nothing but its own rounding.
+TEST(Figure, WhatVariesByRoundingIsAFlatLine) {
+    const auto context = make_offscreen_context();
+    Figure figure = one_chart();
+    figure.charts[0].y_range = {};
+    figure.charts[0].curves = {{"", {0, 5, 10}, {-61.65, -61.65 - 1e-13, -61.65 + 1e-13}, false}};
+    const Image image = draw_figure(*context, figure);
+    EXPECT_GT(synthetic::count_pixels(image, {100, 40, 600, 360}, blue), 400) << "it is there";
+    int rows = 0;
+    for (int y = 40; y < 360; ++y) rows += synthetic::count_pixels(image, {100, y, 600, y + 1}, blue) > 0;
+    EXPECT_LT(rows, 8) << "and flat";
+}
+
 TEST(Figure, TitlesAndUnitsLeaveInk) {
     const auto context = make_offscreen_context();
     Figure figure = one_chart();

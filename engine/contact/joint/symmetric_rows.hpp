@@ -11,9 +11,9 @@ namespace percuss {
 /// "symmetric": the nodes of each surface are kept out of the sides of the other, both ways in the one
 /// problem: the exact condition that two polygons do not overlap, up to first order of the motion. (Two
 /// passes one after the other, averaged, fail the patch: Papadopoulos & Taylor 1992,
-/// Comput. Methods Appl. Mech. Engrg. 94, 373; as inequalities of one problem they pass it.) Knows no roles; conserves
-/// what a one-way pass conserves. Where faces are flat its rows depend on each other, and which of them bear
-/// the force is a matter of the solver.
+/// Comput. Methods Appl. Mech. Engrg. 94, 373; as inequalities of one problem they pass it.) Knows no roles;
+/// conserves what a one-way pass conserves. Where faces are flat its rows depend on each other, and which of
+/// them bear the force is a matter of the solver.
 class SymmetricRows final : public RowBuilder {
   public:
     /// @param one the master's nodes, @param other the slave's.

@@ -92,6 +92,23 @@ TEST_P(NonnegativeSolvers, BearRowsThatDependOnEachOther) {
     }
 }
 
+// Every second row is pressed apart by its neighbours, each at another length of the first step. A projection
+// takes them out together, not one in each step as a step to the nearest bound would.
+TEST(ProjectedConjugateGradients, OpenManyRowsInOneStep) {
+    constexpr int n = 400;
+    Dense chain = Dense::Identity(n, n);
+    std::vector<double> p(n);
+    for (int k = 0; k < n; ++k) {
+        if (k > 0) chain(k, k - 1) = chain(k - 1, k) = 0.4;
+        p[static_cast<std::size_t>(k)] = k % 2 == 0 ? 1 : 0.001 * (k + 1);
+    }
+    std::vector<double> c(n);
+    std::vector<char> standing(n, BoundedSolver::between);
+    ProjectedConjugateGradient solver;
+    EXPECT_LT(solver.solve(testing::profile(chain), p, standing, c, 0, n), 60);
+    for (std::size_t k = 0; k < n; ++k) ASSERT_NEAR(c[k], k % 2 == 0 ? 1 : 0, 1e-9) << k;
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, NonnegativeSolvers, ::testing::Values(&gauss_seidel, &conjugate_gradient),
                          [](const auto& kind) {
                              return kind.param == &gauss_seidel ? "gauss_seidel" : "conjugate_gradient";
