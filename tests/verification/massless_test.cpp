@@ -27,22 +27,27 @@ TEST(MasslessNodes, LoseNothingOnAWall) {
     EXPECT_NEAR(with.solver.statistics().maximum_loss, 1.0 / 40, 1e-6);
     const RunStatistics s = without.solver.statistics();
     EXPECT_LT(s.maximum_loss, 0.05 / 40);
-    EXPECT_LT(s.maximum_growth, 1e-4);
+    EXPECT_LT(s.maximum_growth, 1e-3) << "as is promised of all hard cases";
     EXPECT_EQ(s.pairs[0].events, 2);
     EXPECT_LT(momentum_error(s), 1e-12);
-    // It leaves as fast as it came, but for what rings in it.
-    const double mass = 200 * density;
-    EXPECT_NEAR(s.pairs[0].impulse[1], 2 * 10 * mass, 0.01 * 2 * 10 * mass);
+    // It leaves as fast as it came, but for what rings in it: v' = v (1 - r) keeps 1 - 2 r of the energy, and
+    // the front, an element wide in a bar of twenty, leaves no more than that part of it behind.
+    const double all = 2 * 10 * 200 * density;
+    EXPECT_NEAR(s.pairs[0].impulse[1], all, 0.5 * 0.5 / 20 * 2 * all);
     EXPECT_LT(s.pairs[0].max_penetration, 1e-6);
     EXPECT_EQ(s.contact_solver.fallbacks, 0);
 }
 
 TEST(MasslessNodes, KeepMomentaAndEnergyOnFacesThatDoNotMatch) {
     for (const double nu : {0.0, 0.3}) {
-        RecordedRun run(scene_of(scene_head("plane strain", 0.02, nu) +
-                                 box_body("flyer", {1, 10.003, 7, 16}, {5, 6}, "velocity = [15, -30]") +
-                                 box_body("target", {0, 0, 12, 10}, {7, 8}) + massless +
-                                 "[[contact]]\nname = \"hit\"\nbodies = [\"flyer\", \"target\"]\n"));
+        const auto scene = [nu](const std::string& solver) {
+            return scene_of(scene_head("plane strain", 0.02, nu) +
+                            box_body("flyer", {1, 10.003, 7, 16}, {5, 6}, "velocity = [15, -30]") +
+                            box_body("target", {0, 0, 12, 10}, {7, 8}) + solver +
+                            "[[contact]]\nname = \"hit\"\nbodies = [\"flyer\", \"target\"]\n");
+        };
+        RecordedRun run(scene(massless)), with_mass(scene(joint_problem));
+        with_mass.to_end();
         const double before = run.solver.statistics().initial_energy;
         run.to_end();
         const RunStatistics s = run.solver.statistics();
@@ -50,7 +55,7 @@ TEST(MasslessNodes, KeepMomentaAndEnergyOnFacesThatDoNotMatch) {
         EXPECT_GT(s.pairs[0].impulse[1], 0.01);
         EXPECT_LT(momentum_error(s), 1e-12);
         EXPECT_LT(s.maximum_growth, 1e-3) << nu;
-        EXPECT_LT(s.maximum_loss, 5e-3) << nu;
+        EXPECT_LT(s.maximum_loss, 0.5 * with_mass.solver.statistics().maximum_loss) << nu;
     }
 }
 

@@ -110,13 +110,14 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"[view]", "[contact_solver]\nscheme = \"jiont\"\n[view]",
                "43:10: unknown contact scheme 'jiont'; did you mean 'joint'?"},
         Broken{"[view]", "[contact_solver]\nrecovery_speed = 1\n[view]",
-               "43:18: 'recovery_speed' belongs to scheme = \"joint\"; leave it out or choose that scheme"},
+               "43:18: 'recovery_speed' belongs to scheme = \"joint\" or \"massless\"; leave it out or "
+               "choose that scheme"},
         Broken{"[view]", "[contact_solver]\nscheme = \"joint\"\nrecovery_speed = 0\n[view]",
                "44:18: 'recovery_speed' is 0; it must be > 0"},
-        Broken{
-            "[[contact]]", "[contact_solver]\nscheme = \"joint\"\n[[contact]]\nsign = \"unrestricted\"",
-            "36:8: only the scheme \"projection\" knows tension; leave 'sign' out, or choose scheme = \"projection\" in "
-            "[contact_solver]"},
+        Broken{"[[contact]]", "[contact_solver]\nscheme = \"joint\"\n[[contact]]\nsign = \"unrestricted\"",
+               "36:8: only the scheme \"projection\" knows tension; leave 'sign' out, or choose scheme = "
+               "\"projection\" in "
+               "[contact_solver]"},
         Broken{slave, slave + "\nfriction = 0.2",
                "37:12: the scheme \"projection\" knows no friction; write scheme = \"joint\" in "
                "[contact_solver], or leave 'friction' out"},
