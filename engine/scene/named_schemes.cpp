@@ -42,10 +42,10 @@ const std::vector<NamedScheme>& named_schemes() {
                "symmetric at the level of velocities: what would close in the step stops where it is"),
         scheme("penalty", "penalty", "symmetric", "position",
                "springs against penetration on symmetric rows"),
-        scheme("massless", "massless", "symmetric", "position",
-               "symmetric with contact nodes that have no mass: nothing is lost at an impact"),
         scheme("bipenalty", "bipenalty", "symmetric", "position",
                "the same springs with inertia, which spare the critical step"),
+        scheme("massless", "massless", "symmetric", "position",
+               "symmetric with contact nodes that have no mass: nothing is lost at an impact"),
     };
     return table;
 }
