@@ -92,6 +92,7 @@ Solver::Solver(Scene scene, int threads)
     statistics_.threads = team_.size();
     statistics_.pairs.resize(pairs_.size());
     highest_.resize(static_cast<std::size_t>(team_.size()));
+    find_quiet_regions({});
     evaluate_critical_step();
     look_ahead_for_springs();
     check_fixed_step(in_force_->step);
@@ -128,7 +129,9 @@ void Solver::build_nodes() {
         const auto& velocity = scene.bodies[body].velocity;
         for (auto node = static_cast<std::size_t>(part.node_begin);
              node < static_cast<std::size_t>(part.node_end); ++node)
-            state_.nodes[node] = {{mesh.nodes[node].x(), mesh.nodes[node].y()}, {velocity[0], velocity[1]}};
+            // Not -0, which a first step at rest would turn into 0.
+            state_.nodes[node] = {{mesh.nodes[node].x() + 0.0, mesh.nodes[node].y() + 0.0},
+                                  {velocity[0], velocity[1]}};
         for (std::int32_t cell = part.cell_begin; cell < part.cell_end; ++cell) {
             const Cell& corners = mesh.cells[static_cast<std::size_t>(cell)];
             const auto share =
@@ -204,13 +207,30 @@ void Solver::build_chunks() {
         const MeshBody& part = setup_->mesh.bodies[body];
         for (std::int32_t begin = part.node_begin; begin < part.node_end; begin += nodes_per_chunk)
             node_chunks_.push_back(
-                {begin, std::min(begin + nodes_per_chunk, part.node_end), static_cast<std::int32_t>(body)});
+                {static_cast<std::int32_t>(body), begin, std::min(begin + nodes_per_chunk, part.node_end)});
         for (int begin = 0; begin < batches_[body].blocks(); begin += blocks_per_chunk)
             element_chunks_.push_back({static_cast<std::int32_t>(body), begin,
                                        std::min(begin + blocks_per_chunk, batches_[body].blocks())});
     }
     node_sums_.resize(node_chunks_.size());
     element_sums_.resize(element_chunks_.size());
+    regions_ = QuietRegions(element_chunks_, node_chunks_);
+}
+
+void Solver::find_quiet_regions(const std::vector<char>& visited) {
+    std::fill(internal_.begin(), internal_.end(), 0.0);
+    // Here others than its own nodes move or load an element.
+    if (setup_->scene.lagged || !layers_.none() || !massless_.empty()) return regions_.visit_all();
+    std::vector<char> busy(body_of_node_.size(), 0);
+    for (std::size_t n = 0; n < busy.size(); ++n) {
+        const auto& [x, v] = state_.nodes[n];
+        const Vec2& first = setup_->mesh.nodes[n];
+        const bool averaged = batches_[static_cast<std::size_t>(body_of_node_[n])].kernel.volumes != nullptr;
+        busy[n] = averaged || v[0] != 0 || v[1] != 0 || x[0] != first.x() || x[1] != first.y();
+    }
+    loads_.mark_loaded(busy);
+    for (const auto& p : imposed_.prescribed) busy[static_cast<std::size_t>(p.node)] = 1;
+    regions_.find(batches_, busy, visited);
 }
 
 void Solver::check_fixed_step(const StepSize& step) {
@@ -255,6 +275,7 @@ void Solver::take_up(const InFlight& values) {
             scene.bodies[b].loads = values.bodies[b].loads;
         }
         loads_ = Loads(scene, setup_->mesh);
+        if (!regions_.none()) find_quiet_regions(regions_.visited());
     }
 }
 
@@ -421,6 +442,11 @@ RunStatistics Solver::statistics(bool complete) const {
     const Ledger& ledger = state_.ledger;
     const double reference = std::max(ledger.initial_kinetic, ledger.largest_load);  // what was put in
     statistics.steps = state_.step;
+    double blocks = 0;
+    for (const Batch& batch : batches_) blocks += batch.blocks();
+    if (state_.step > 0)
+        statistics.visited_share =
+            1 - static_cast<double>(state_.quiet_blocks) / (blocks * static_cast<double>(state_.step));
     const PhaseSeconds& seconds = statistics.seconds;
     statistics.step_seconds = seconds.elements + seconds.contact_search + seconds.contact_solve +
                               seconds.integrate + seconds.critical_step + seconds.loads + seconds.probes;
@@ -469,6 +495,7 @@ SolverState Solver::save() const {
     state.statistics = statistics_;
     state.in_force = in_force_;
     state.contact_scheme = contact_scheme_;
+    state.visited = regions_.visited();
     for (const Pair& pair : pairs_) {
         state.active.push_back(pair.active);
         state.pairs.push_back(pair.state);
@@ -501,6 +528,11 @@ void Solver::restore(const SolverState& state) {
     state_.active.clear();
     state_.pairs.clear();
     state_.contact.reset();
+    state_.visited.clear();
+    if (state.visited.empty())
+        regions_.visit_all();
+    else
+        find_quiet_regions(state.visited);
     if (contact_ && state.contact_scheme != contact_scheme_) make_contact(state.contact_scheme);
     if (contact_ && state.contact) contact_->become(*state.contact);
     if (contact_ && !state.contact) contact_->restart(state.active);

@@ -10,6 +10,7 @@
 #include "contact/contact_method.hpp"
 #include "dynamics/ledger.hpp"
 #include "dynamics/loads.hpp"
+#include "dynamics/quiet_regions.hpp"
 #include "dynamics/team.hpp"
 #include "elements/batch.hpp"
 #include "elements/layer_viscosity.hpp"
@@ -42,6 +43,8 @@ struct SolverState {
     double contact_frequency = 0;        ///< squared, that springs of contact add to the elements' [1/time^2]
     std::vector<double> layer_pressure;  ///< of the viscosity in contact layers, per element of them [stress]
     std::int64_t step = 0;
+    std::int64_t quiet_blocks = 0;  ///< that steps have left out, summed over them
+    std::vector<char> visited;      ///< QuietRegions::visited; filled by save()
     double strain_since_critical =
         1;  ///< bound of the strain of any element since critical_step was evaluated
 };
@@ -83,6 +86,8 @@ class Solver {
     /// Numbers of the last step in the order of history_columns (run/history_columns.hpp).
     [[nodiscard]] std::span<const double> history_row() const { return row_; }
 
+    /// From now on steps visit what is at rest, too: the bits stay the same (for comparisons).
+    void visit_all() { regions_.visit_all(); }
     [[nodiscard]] SolverState save() const;
     /// @pre `state` comes from a solver of the same scene.
     void restore(const SolverState& state);
@@ -100,12 +105,6 @@ class Solver {
     }  ///< 2 pi, or the thickness: per-radian numbers to whole ones
 
   private:
-    struct NodeChunk {
-        std::int32_t begin, end, body;
-    };
-    struct ElementChunk {
-        std::int32_t batch, begin, end;  // blocks
-    };
     /// What is counted about a pair.
     struct Pair {
         PairState state;
@@ -116,6 +115,7 @@ class Solver {
 
     void build_nodes();
     void build_chunks();
+    void find_quiet_regions(const std::vector<char>& visited);
     void check_fixed_step(const StepSize& step);
     void take_up(const InFlight& values);
     void make_contact(ContactScheme scheme);  // with the values in force
@@ -133,7 +133,7 @@ class Solver {
     std::optional<Divergence> close_ledger();
     std::optional<Divergence> internal_forces();
 
-    void predict_chunk(const NodeChunk& chunk, NodeSums& sums);
+    void predict_chunk(std::size_t chunk, NodeSums& sums);
     [[nodiscard]] double bound_strain() const;
     void switch_prescribed();
     void impose_velocities(NodeSums& sums);
@@ -180,8 +180,8 @@ class Solver {
     SolverState state_;
     std::vector<Batch> batches_;
     LayerViscosity layers_;
-    std::vector<NodeChunk> node_chunks_;
-    std::vector<ElementChunk> element_chunks_;
+    std::vector<QuietRegions::Chunk> node_chunks_, element_chunks_;  // of nodes; of blocks of elements
+    QuietRegions regions_;
     std::vector<NodeSums> node_sums_;
     NodeSums sums_;
     std::vector<std::array<double, 2>> momentum_before_;  // per body

@@ -4,6 +4,7 @@
 // energy never grows.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -49,6 +50,7 @@ std::optional<Divergence> Solver::step() {
     resolve_contacts();  // finds penetrations, solves for contact forces, corrects x and v
 
     timer = {};
+    if (!regions_.none()) regions_.take_in_moving(state_.nodes, touched_);
     auto divergence = close_ledger();  // energies, momenta and forces of t_n: v after it is known only now
     if (divergence) return divergence;
     timer.book(seconds.integrate);
@@ -119,8 +121,8 @@ double Solver::critical_step_of_elements() {
     team_.run([&](int part) {
         const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
         for (std::size_t k = begin; k < end; ++k) {
-            const ElementChunk& chunk = element_chunks_[k];
-            const Batch& batch = batches_[static_cast<std::size_t>(chunk.batch)];
+            const QuietRegions::Chunk& chunk = element_chunks_[k];
+            const Batch& batch = batches_[static_cast<std::size_t>(chunk.body)];
             double& most = highest_[static_cast<std::size_t>(part)];
             most = std::max(most, batch.kernel.frequency(batch, nodes, chunk.begin, chunk.end));
         }
@@ -145,7 +147,7 @@ void Solver::predict() {
     if (state_.step == 0) start_half_step_early();
     const auto chunks = [this](int part) {
         const auto [begin, end] = share_of(node_chunks_.size(), part, team_.size());
-        for (std::size_t k = begin; k < end; ++k) predict_chunk(node_chunks_[k], node_sums_[k]);
+        for (std::size_t k = begin; k < end; ++k) predict_chunk(k, node_sums_[k]);
     };
     team_.run(chunks);
 
@@ -202,36 +204,42 @@ void Solver::start_half_step_early() {
     ledger.lowest = ledger.largest_kinetic = ledger.initial_kinetic;
 }
 
-void Solver::predict_chunk(const NodeChunk& chunk, NodeSums& sums) {
+void Solver::predict_chunk(std::size_t chunk, NodeSums& sums) {
     const double kick = kick_, dt = state_.dt;
     const double* const* corners = corners_.data();
     const double* external = loads_.none() ? nullptr : external_.data();
     // Both directions at once; sums stay in registers until the chunk is done.
     Double2 kinetic{}, internal_before{}, internal_after{}, external_before{}, external_after{}, momentum{};
-    Double2 lowest = load_pair(state_.nodes[static_cast<std::size_t>(chunk.begin)].v), highest = lowest;
-    for (auto n = static_cast<std::size_t>(chunk.begin); n < static_cast<std::size_t>(chunk.end); ++n) {
-        Double2 f{};
-        const auto end = static_cast<std::size_t>(corner_begin_[n + 1]);
-        for (auto k = static_cast<std::size_t>(corner_begin_[n]); k < end; ++k) f += load_pair(corners[k]);
-        Node& node = state_.nodes[n];
-        const Double2 before = load_pair(node.v), inverse_mass = load_pair(&inverse_mass_[2 * n]);
-        Double2 net = -f;
-        if (external) {
-            net += load_pair(external + 2 * n);
-            external_before += load_pair(external + 2 * n) * before;
+    const auto visited = regions_.nodes(chunk);
+    const auto& [body, begin, end] = node_chunks_[chunk];
+    const bool whole = visited.size() == 1 && visited[0].end - visited[0].begin == end - begin;
+    const double none = whole ? std::numeric_limits<double>::infinity() : 0;  // the others are at rest
+    Double2 lowest{none, none}, highest{-none, -none};
+    for (const auto& [first, last] : visited)
+        for (auto n = static_cast<std::size_t>(first); n < static_cast<std::size_t>(last); ++n) {
+            Double2 f{};
+            const auto corner_end = static_cast<std::size_t>(corner_begin_[n + 1]);
+            for (auto k = static_cast<std::size_t>(corner_begin_[n]); k < corner_end; ++k)
+                f += load_pair(corners[k]);
+            Node& node = state_.nodes[n];
+            const Double2 before = load_pair(node.v), inverse_mass = load_pair(&inverse_mass_[2 * n]);
+            Double2 net = -f;
+            if (external) {
+                net += load_pair(external + 2 * n);
+                external_before += load_pair(external + 2 * n) * before;
+            }
+            const Double2 after = before + kick * inverse_mass * net;
+            if (external) external_after += load_pair(external + 2 * n) * after;
+            kinetic += mass_[n] * before * after;
+            internal_before += f * before;
+            internal_after += f * after;
+            momentum += mass_[n] * after;
+            lowest = smaller(after, lowest);
+            highest = larger(after, highest);
+            store_pair(node.v, after);
+            store_pair(node.x, load_pair(node.x) + dt * after);
+            store_pair(&internal_[2 * n], f);
         }
-        const Double2 after = before + kick * inverse_mass * net;
-        if (external) external_after += load_pair(external + 2 * n) * after;
-        kinetic += mass_[n] * before * after;
-        internal_before += f * before;
-        internal_after += f * after;
-        momentum += mass_[n] * after;
-        lowest = smaller(after, lowest);
-        highest = larger(after, highest);
-        store_pair(node.v, after);
-        store_pair(node.x, load_pair(node.x) + dt * after);
-        store_pair(&internal_[2 * n], f);
-    }
     sums.kinetic = kinetic[0] + kinetic[1];
     sums.internal_before = internal_before[0] + internal_before[1];
     sums.internal_after = internal_after[0] + internal_after[1];
@@ -531,6 +539,7 @@ std::optional<Divergence> Solver::close_ledger() {
 
 std::optional<Divergence> Solver::internal_forces() {
     if (!setup_->scene.lagged) integrate_elements(state_.nodes.data());
+    state_.quiet_blocks += regions_.quiet();
     state_.time += state_.dt;
     ++state_.step;
     double inverted = 0;
@@ -547,7 +556,7 @@ std::optional<Divergence> Solver::internal_forces() {
         ledger.hourglass += works.hourglass;
         ledger.viscous += works.viscous;
         ledger.plastic += works.plastic;
-        ledger.body_works[static_cast<std::size_t>(element_chunks_[k].batch)] += works;
+        ledger.body_works[static_cast<std::size_t>(element_chunks_[k].body)] += works;
     }
     if (inverted > 0) return locate_inverted();
     return std::nullopt;
@@ -559,15 +568,15 @@ void Solver::average_nodal_volumes(const Node* nodes) {
     team_.run([&](int part) {
         const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
         for (std::size_t k = begin; k < end; ++k) {
-            const ElementChunk& chunk = element_chunks_[k];
-            Batch& batch = batches_[static_cast<std::size_t>(chunk.batch)];
+            const QuietRegions::Chunk& chunk = element_chunks_[k];
+            Batch& batch = batches_[static_cast<std::size_t>(chunk.body)];
             if (batch.kernel.volumes) batch.kernel.volumes(batch, nodes, chunk.begin, chunk.end);
         }
     });
     team_.run([&](int part) {
         const auto [begin, end] = share_of(node_chunks_.size(), part, team_.size());
         for (std::size_t k = begin; k < end; ++k) {
-            const NodeChunk& chunk = node_chunks_[k];
+            const QuietRegions::Chunk& chunk = node_chunks_[k];
             Batch& batch = batches_[static_cast<std::size_t>(chunk.body)];
             if (batch.kernel.volumes) sum_nodal_volumes(batch, chunk.begin, chunk.end);
         }
@@ -579,10 +588,10 @@ void Solver::integrate_elements(const Node* nodes) {
     team_.run([&](int part) {
         const auto [begin, end] = share_of(element_chunks_.size(), part, team_.size());
         for (std::size_t k = begin; k < end; ++k) {
-            const ElementChunk& chunk = element_chunks_[k];
-            Batch& batch = batches_[static_cast<std::size_t>(chunk.batch)];
+            Batch& batch = batches_[static_cast<std::size_t>(element_chunks_[k].body)];
             element_sums_[k] = {};
-            batch.kernel.forces(batch, nodes, state_.dt, chunk.begin, chunk.end, element_sums_[k]);
+            for (const auto& [first, last] : regions_.blocks(k))
+                batch.kernel.forces(batch, nodes, state_.dt, first, last, element_sums_[k]);
         }
     });
     if (!layers_.none()) damp_contact_layers(nodes);

@@ -1,5 +1,6 @@
 #include "dynamics/loads.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesh/select.hpp"
@@ -38,6 +39,15 @@ Loads::Loads(const Scene& scene, const Mesh& mesh) : geometry_(scene.geometry) {
             edges_.push_back(std::move(loaded));
         }
     }
+}
+
+void Loads::mark_loaded(std::vector<char>& nodes) const {
+    for (const Span& body : bodies_)
+        if (body.acceleration[0] != 0 || body.acceleration[1] != 0)
+            std::fill(nodes.begin() + body.begin, nodes.begin() + body.end, char{1});
+    for (const LoadedEdge& edge : edges_)
+        for (const LoadedSide& side : edge.sides)
+            nodes[static_cast<std::size_t>(side.i)] = nodes[static_cast<std::size_t>(side.j)] = 1;
 }
 
 void Loads::evaluate(const Node* nodes, const std::vector<double>& mass, double time,

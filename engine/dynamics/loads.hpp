@@ -21,6 +21,8 @@ class Loads {
     /// Writes the forces at `time` and the present positions, 2 per node [force].
     void evaluate(const Node* nodes, const std::vector<double>& mass, double time,
                   std::vector<double>& force) const;
+    /// Sets the flags of all nodes that ever bear a load.
+    void mark_loaded(std::vector<char>& nodes) const;
 
   private:
     struct Span {

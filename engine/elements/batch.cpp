@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "elements/initial_volume.hpp"
 #include "elements/kernels.hpp"
 #include "materials/johnson_cook_yield.hpp"
 
@@ -213,15 +214,13 @@ Batch make_batch(const Scene& scene, const Mesh& mesh, std::int32_t body,
         const std::size_t block = static_cast<std::size_t>(element / block_lanes);
         const std::size_t lane = static_cast<std::size_t>(element % block_lanes);
         const auto mass = corner_masses(cell, mesh.nodes, batch.material.density, batch.geometry);
-        double volume = 0;
         for (std::size_t corner = 0; corner < corners; ++corner) {
             batch.nodes[(block * corners + corner) * block_lanes + lane] = cell[corner];
             for (std::size_t direction = 0; direction < 2; ++direction)
                 batch.inverse_mass[((block * corners + corner) * 2 + direction) * block_lanes + lane] =
                     held[static_cast<std::size_t>(cell[corner])][direction] ? 0 : 1 / mass[corner];
-            volume += mass[corner] / batch.material.density;
         }
-        batch.volume[block * block_lanes + lane] = volume;
+        batch.volume[block * block_lanes + lane] = unstressed_volume(batch, mesh.nodes, element);
     }
     if (batch.kernel.volumes) build_nodal_volumes(batch, part.node_begin, part.node_end);
     return batch;

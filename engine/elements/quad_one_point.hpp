@@ -60,7 +60,8 @@ struct QuadOnePoint {
         store(state + 2 * block_lanes, s.s);
         const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
         const Real inverse_ratio = initial_volume * inverse_volume;
-        Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
+        // As mean_stress_of_volume, by the difference: initial * (1 / volume) need not be 1 at rest.
+        Real mean = (0.5 * material.bulk) * ((b.volume - initial_volume) * inverse_volume) * (1.0 + inverse_ratio);
         if constexpr (viscous) {
             const Real area = 4.0 * g.j0;
             const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio,

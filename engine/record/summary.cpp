@@ -233,6 +233,7 @@ nlohmann::ordered_json make_summary(const RunSetup& setup, const RunStatistics& 
     summary["time"] = last.time;
     summary["steps"] = statistics.steps;
     summary["elements"] = statistics.cells;
+    summary["visited_share"] = statistics.visited_share;
     summary["threads"] = statistics.threads;
     summary["wall_seconds"] = wall_seconds(statistics);
     summary["contact_share"] = ratio(seconds.contact_search + seconds.contact_solve, statistics.step_seconds);

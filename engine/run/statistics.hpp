@@ -52,6 +52,8 @@ struct ContactSolverStatistics {
 struct RunStatistics {
     std::int64_t steps = 0;
     std::int64_t cells = 0;
+    /// Blocks of elements that steps visited, of all blocks in all steps: what no wave has reached yet is left out.
+    double visited_share = 1;
     double step_seconds = 0;  ///< wall seconds spent stepping, all phases of the step
     double total_seconds =
         0;  ///< wall seconds of the whole job, drawing and writing included (filled by its driver)

@@ -36,8 +36,11 @@ TEST_P(FrictionOfSchemes, SlidesToAStop) {
     run.to_end();
     const auto time = run.column("time"), vx = run.column("body.block.velocity.x"),
                vy = run.column("body.block.velocity.y"), friction = run.column("energy.friction");
-    // Means of two velocities obey it as long as the step does not change, as springs make it.
-    const double tolerance = std::string(GetParam().name) == "penalty" ? 1e-6 : 1e-11;
+    // Means of two velocities obey it as long as the step does not change, as springs make it. Otherwise each
+    // step rounds stresses by eps K, hence velocities by eps c, and these errors make a random walk.
+    const double eps = std::numeric_limits<double>::epsilon();
+    const double walk = eps * std::sqrt(young / density) * std::sqrt(static_cast<double>(time.size()));
+    const double tolerance = std::string(GetParam().name) == "penalty" ? 1e-6 : walk;
     for (std::size_t n = 0; n < time.size() && time[n] < 0.9 * stop; ++n)
         ASSERT_NEAR(vx[n], speed - mu * (time[n] + vy[n]), tolerance) << n;
     // The shear that friction had caused swings on: mu g h / c_s; the bounce by mu v_y.
