@@ -46,7 +46,7 @@ struct SolverState {
     std::int64_t quiet_blocks = 0;  ///< that steps have left out, summed over them
     std::vector<char> visited;      ///< QuietRegions::visited; filled by save()
     double strain_since_critical =
-        1;  ///< bound of the strain of any element since critical_step was evaluated
+        1;  ///< sum of the steps' largest strains since critical_step was evaluated
 };
 
 /// Why a run cannot go on.
@@ -133,8 +133,9 @@ class Solver {
     std::optional<Divergence> close_ledger();
     std::optional<Divergence> internal_forces();
 
+    template <bool loaded>
     void predict_chunk(std::size_t chunk, NodeSums& sums);
-    [[nodiscard]] double bound_strain() const;
+    [[nodiscard]] double largest_strain() const;
     void switch_prescribed();
     void impose_velocities(NodeSums& sums);
     void stresses_at_predicted_positions();

@@ -4,7 +4,6 @@
 // energy never grows.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -147,7 +146,12 @@ void Solver::predict() {
     if (state_.step == 0) start_half_step_early();
     const auto chunks = [this](int part) {
         const auto [begin, end] = share_of(node_chunks_.size(), part, team_.size());
-        for (std::size_t k = begin; k < end; ++k) predict_chunk(k, node_sums_[k]);
+        for (std::size_t k = begin; k < end; ++k) {
+            if (loads_.none())
+                predict_chunk<false>(k, node_sums_[k]);
+            else
+                predict_chunk<true>(k, node_sums_[k]);
+        }
     };
     team_.run(chunks);
 
@@ -160,29 +164,16 @@ void Solver::predict() {
         auto& momentum = ledger.body_momentum[static_cast<std::size_t>(node_chunks_[k].body)];
         for (std::size_t d = 0; d < 2; ++d) momentum[d] += node_sums_[k].momentum[d];
     }
-    state_.strain_since_critical += bound_strain();
     if (!imposed_.prescribed.empty()) impose_velocities(sums_);
 }
 
-/// By how much this step can strain an element: no strain rate exceeds the range of its body's velocities
-/// over its size, which the body's fastest wave crosses in no less than a critical step. Something is added
-/// so that steps at rest come to an evaluation, too.
-double Solver::bound_strain() const {
-    double strain = 0;
-    for (std::size_t first = 0, last = 0; first < node_chunks_.size(); first = last) {
-        std::array<double, 2> lowest = node_sums_[first].lowest, highest = node_sums_[first].highest;
-        const std::int32_t body = node_chunks_[first].body;
-        for (last = first + 1; last < node_chunks_.size() && node_chunks_[last].body == body; ++last) {
-            for (std::size_t d = 0; d < 2; ++d) {
-                lowest[d] = std::min(lowest[d], node_sums_[last].lowest[d]);
-                highest[d] = std::max(highest[d], node_sums_[last].highest[d]);
-            }
-        }
-        const ElasticConstants& material = batches_[static_cast<std::size_t>(body)].material;
-        strain = std::max(strain, std::hypot(highest[0] - lowest[0], highest[1] - lowest[1]) /
-                                      std::sqrt(material.p_wave / material.density));
-    }
-    return strain + strain_between_evaluations / steps_between_evaluations;
+/// By how much the last step has strained an element at most. Something is added so that steps at rest come
+/// to an evaluation, too.
+double Solver::largest_strain() const {
+    double square = 0;
+    for (const KernelSums& sums : element_sums_)
+        square = std::max(square, *std::max_element(std::begin(sums.strain), std::end(sums.strain)));
+    return std::sqrt(square) + strain_between_evaluations / steps_between_evaluations;
 }
 
 /// Velocities are given for t = 0 and wanted half a step earlier: known accelerations are taken back.
@@ -204,50 +195,44 @@ void Solver::start_half_step_early() {
     ledger.lowest = ledger.largest_kinetic = ledger.initial_kinetic;
 }
 
+template <bool loaded>
 void Solver::predict_chunk(std::size_t chunk, NodeSums& sums) {
     const double kick = kick_, dt = state_.dt;
+    Node* nodes = state_.nodes.data();
+    double* internal = internal_.data();
+    const double *mass = mass_.data(), *inverse_masses = inverse_mass_.data(), *external = external_.data();
     const double* const* corners = corners_.data();
-    const double* external = loads_.none() ? nullptr : external_.data();
+    const std::int32_t* corner_begin = corner_begin_.data();
     // Both directions at once; sums stay in registers until the chunk is done.
     Double2 kinetic{}, internal_before{}, internal_after{}, external_before{}, external_after{}, momentum{};
-    const auto visited = regions_.nodes(chunk);
-    const auto& [body, begin, end] = node_chunks_[chunk];
-    const bool whole = visited.size() == 1 && visited[0].end - visited[0].begin == end - begin;
-    const double none = whole ? std::numeric_limits<double>::infinity() : 0;  // the others are at rest
-    Double2 lowest{none, none}, highest{-none, -none};
-    for (const auto& [first, last] : visited)
-        for (auto n = static_cast<std::size_t>(first); n < static_cast<std::size_t>(last); ++n) {
+    for (const auto& [first, last] : regions_.nodes(chunk)) {
+        for (std::int32_t n = first; n < last; ++n) {
             Double2 f{};
-            const auto corner_end = static_cast<std::size_t>(corner_begin_[n + 1]);
-            for (auto k = static_cast<std::size_t>(corner_begin_[n]); k < corner_end; ++k)
-                f += load_pair(corners[k]);
-            Node& node = state_.nodes[n];
-            const Double2 before = load_pair(node.v), inverse_mass = load_pair(&inverse_mass_[2 * n]);
+            for (std::int32_t k = corner_begin[n]; k < corner_begin[n + 1]; ++k) f += load_pair(corners[k]);
+            Node& node = nodes[n];
+            const Double2 before = load_pair(node.v), inverse_mass = load_pair(inverse_masses + 2 * n);
             Double2 net = -f;
-            if (external) {
+            if constexpr (loaded) {
                 net += load_pair(external + 2 * n);
                 external_before += load_pair(external + 2 * n) * before;
             }
-            const Double2 after = before + kick * inverse_mass * net;
-            if (external) external_after += load_pair(external + 2 * n) * after;
-            kinetic += mass_[n] * before * after;
+            const Double2 after = before + kick * inverse_mass * net, momentum_after = mass[n] * after;
+            if constexpr (loaded) external_after += load_pair(external + 2 * n) * after;
+            kinetic += before * momentum_after;
             internal_before += f * before;
             internal_after += f * after;
-            momentum += mass_[n] * after;
-            lowest = smaller(after, lowest);
-            highest = larger(after, highest);
+            momentum += momentum_after;
             store_pair(node.v, after);
             store_pair(node.x, load_pair(node.x) + dt * after);
-            store_pair(&internal_[2 * n], f);
+            store_pair(internal + 2 * n, f);
         }
+    }
     sums.kinetic = kinetic[0] + kinetic[1];
     sums.internal_before = internal_before[0] + internal_before[1];
     sums.internal_after = internal_after[0] + internal_after[1];
     sums.external_before = external_before[0] + external_before[1];
     sums.external_after = external_after[0] + external_after[1];
     sums.momentum = {momentum[0], momentum[1]};
-    sums.lowest = {lowest[0], lowest[1]};
-    sums.highest = {highest[0], highest[1]};
 }
 
 /// Nodes are held while a motion is prescribed for them and free otherwise; of two motions at a time the one
@@ -539,6 +524,7 @@ std::optional<Divergence> Solver::close_ledger() {
 
 std::optional<Divergence> Solver::internal_forces() {
     if (!setup_->scene.lagged) integrate_elements(state_.nodes.data());
+    state_.strain_since_critical += largest_strain();
     state_.quiet_blocks += regions_.quiet();
     state_.time += state_.dt;
     ++state_.step;

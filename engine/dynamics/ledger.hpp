@@ -14,7 +14,6 @@ struct alignas(64) NodeSums {
     double internal_before = 0, internal_after = 0;
     double external_before = 0, external_after = 0;
     std::array<double, 2> momentum{0, 0};  ///< after; summed by body, not here
-    std::array<double, 2> lowest{0, 0}, highest{0, 0};  ///< velocities after; likewise
 
     NodeSums& operator+=(const NodeSums& other) {
         kinetic += other.kinetic;

@@ -34,6 +34,7 @@ struct alignas(64) KernelSums {
     double viscous[block_lanes] = {};  ///< work taken up by bulk viscosity, likewise
     double inverted[block_lanes] = {};  ///< number of elements whose mean Jacobian is not positive
     double plastic[block_lanes] = {};   ///< work taken up by plastic flow, per radian or unit thickness
+    double strain[block_lanes] = {};    ///< largest square (Frobenius) of a displacement gradient of this step
 };
 
 struct Batch;

@@ -19,11 +19,6 @@ template <class Real>
     return a > b ? a : b;
 }
 
-template <class Real>
-[[gnu::always_inline]] inline Real magnitude(Real a) {
-    return a < 0.0 ? -a : a;
-}
-
 /// Largest row sum of absolute values.
 template <class Real, int n>
 [[gnu::always_inline]] inline Real row_norm(const Matrix<Real, n>& m) {

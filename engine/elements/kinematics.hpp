@@ -25,16 +25,21 @@ struct StepStrain {
 /// rigid rotation, and the Cayley transform of its skew part is that rotation (Hughes & Winget 1980).
 template <class Real, Geometry geometry>
 [[gnu::always_inline]] inline StepStrain<Real> step_strain(const Gradient<Real>& h) {
+    // With D = det(I - H/2) the tangent of half the rotation is q/D, so that one division serves all.
     const Real determinant = h.h11 * h.h22 - h.h12 * h.h21;
-    const Real inverse = 1.0 / (1.0 - 0.5 * (h.h11 + h.h22) + 0.25 * determinant);
+    const Real d = 1.0 - 0.5 * (h.h11 + h.h22) + 0.25 * determinant;
+    const Real q = 0.25 * (h.h21 - h.h12);
+    const Real dd = d * d, qq = q * q, sum = dd + qq;
+    const Real both = 1.0 / (d * sum);
+    const Real inverse = both * sum, scale = both * d;
     const Real g11 = (h.h11 - 0.5 * determinant) * inverse;
     const Real g22 = (h.h22 - 0.5 * determinant) * inverse;
-    const Real g12 = h.h12 * inverse, g21 = h.h21 * inverse;
+    const Real shear = (h.h12 + h.h21) * inverse;
 
     StepStrain<Real> strain;
     const Real in_plane = g11 + g22;
     strain.deviator.d = 0.5 * (g11 - g22);
-    strain.deviator.s = 0.5 * (g12 + g21);
+    strain.deviator.s = 0.5 * shear;
     if constexpr (geometry == Geometry::axisymmetric) {
         // Mid-step hoop strain u / (r - u/2), to second order in u/r: no rotation touches it.
         const Real hoop = h.hoop * (1.0 + 0.5 * h.hoop);
@@ -48,11 +53,8 @@ template <class Real, Geometry geometry>
         strain.trace = in_plane;
         strain.deviator.m = 0.0 * in_plane;
     }
-    const Real half_spin = 0.25 * (g21 - g12);
-    const Real square = half_spin * half_spin;
-    const Real scale = 1.0 / (1.0 + square);
-    strain.cosine = (1.0 - square) * scale;
-    strain.sine = 2.0 * half_spin * scale;
+    strain.cosine = (dd - qq) * scale;
+    strain.sine = 2.0 * (q * d) * scale;
     // The increment belongs to mid-step; the mean of it and of it turned by the whole step is it turned by
     // half a step, to second order. Without this the work of stresses misses the stored energy by the first
     // order of a step.
@@ -92,15 +94,15 @@ template <class Real>
 }
 
 /// Bulk viscosity (von Neumann & Richtmyer; linear term Landshoff), a pressure in compression only:
-/// q = rho h (c1 c |D| + c2 h D^2) with D = trace/dt.
+/// q = rho h (c1 c |D| + c2 h D^2) with D = `rate`, h^2 = `area` and c^2 = p_wave / rho.
 template <class Real>
-[[gnu::always_inline]] inline Real bulk_viscosity(Real trace, Real density, Real length, double dt,
+[[gnu::always_inline]] inline Real bulk_viscosity(Real rate, Real density, Real area,
                                                   const ElasticConstants& material) {
-    const Real zero = 0.0 * trace;
-    const Real rate = trace < 0.0 ? -trace / dt : zero;
-    const Real speed = square_root(material.p_wave / density);
-    return density * length * rate *
-           (material.viscosity_linear * speed + material.viscosity_quadratic * length * rate);
+    const Real zero = 0.0 * rate;
+    const Real closing = rate < 0.0 ? -rate : zero;
+    const Real mass = density * area;
+    return closing * (material.viscosity_linear * square_root(Real(mass * material.p_wave)) +
+                      material.viscosity_quadratic * (mass * closing));
 }
 
 /// The coefficients of a function of the four corners in the basis 1, xi_I, eta_I, xi_I eta_I (corner signs).
@@ -114,6 +116,34 @@ template <class Real>
 [[gnu::always_inline]] inline Modes<Real> to_modes(Real a1, Real a2, Real a3, Real a4) {
     const Real p = a1 + a3, q = a2 + a4, u = a3 - a1, w = a2 - a4;
     return {p + q, u + w, u - w, p - q};
+}
+
+/// Reciprocals of four values by one division.
+template <class Real>
+[[gnu::always_inline]] inline void invert(Real (&values)[4]) {
+    const Real first = values[0] * values[1], second = values[2] * values[3];
+    const Real all = 1.0 / (first * second);
+    const Real of_first = all * second, of_second = all * first;
+    const Real inverse[4] = {of_first * values[1], of_first * values[0], of_second * values[3],
+                             of_second * values[2]};
+    for (int k = 0; k < 4; ++k) values[k] = inverse[k];
+}
+
+template <class Real>
+[[gnu::always_inline]] inline Real square_of(const Gradient<Real>& h) {
+    return h.h11 * h.h11 + h.h12 * h.h12 + (h.h21 * h.h21 + h.h22 * h.h22) + h.hoop * h.hoop;
+}
+
+/// Keeps the largest square of what this step strains an element.
+template <class Real>
+[[gnu::always_inline]] inline void keep_largest(double* squares, Real square) {
+    const Real kept = load<Real>(squares);
+    store(squares, Real(square > kept ? square : kept));
+}
+
+template <class Real>
+[[gnu::always_inline]] inline Real magnitude(Real a) {
+    return a < 0.0 ? -a : a;
 }
 
 /// Corner values c0 + xi_I c1 + eta_I c2 + xi_I eta_I c3, corners 1 to 4 = (--), (+-), (++), (-+).

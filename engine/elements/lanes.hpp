@@ -51,6 +51,18 @@ template <class Real>
     }
 }
 
+/// Whether any element's value is positive.
+template <class Real>
+[[gnu::always_inline]] inline bool any_positive(Real value) {
+    if constexpr (lanes_of<Real> == 1) {
+        return value > 0.0;
+    } else {
+        bool any = false;
+        for (int lane = 0; lane < lanes_of<Real>; ++lane) any |= value[lane] > 0;
+        return any;
+    }
+}
+
 /// Position and velocity of one corner of `lanes_of<Real>` elements.
 template <class Real>
 struct CornerMotion {

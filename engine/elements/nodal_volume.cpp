@@ -56,7 +56,7 @@ void sum_nodal_volumes(Batch& batch, std::int32_t begin, std::int32_t end) {
         rate /= volume;
         size /= static_cast<double>(last - first);
         const double density = material.density / node.ratio;
-        node.viscous = baseline::bulk_viscosity(rate, density, size, 1.0, material);
+        node.viscous = baseline::bulk_viscosity(rate, density, size * size, material);
         node.damping = density * size *
                        (material.viscosity_linear * std::sqrt(material.p_wave / density) +
                         2 * material.viscosity_quadratic * size * std::abs(rate));

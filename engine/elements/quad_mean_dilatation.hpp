@@ -11,7 +11,8 @@ template <class Law, Geometry geometry, bool viscous>
 struct QuadMeanDilatation {
     static constexpr int corners = 4;
     static constexpr int points = 4;
-    static constexpr int law_begin = 4 * 3 + (viscous ? 1 : 0);  // after m, d, s at each point; viscous pressure
+    static constexpr int law_begin =
+        4 * 3 + (viscous ? 1 : 0);  // after m, d, s at each point; viscous pressure
     static constexpr int state_size = law_begin + 4 * Law::extra_state;
 
     template <class Real>
@@ -35,18 +36,18 @@ struct QuadMeanDilatation {
         const Real w1 = quarter * w.c1, w2 = quarter * w.c2, w3 = quarter * w.c3;
 
         const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
-        const Real inverse_ratio = initial_volume / b.volume;
-        Real mean = mean_stress_of_volume(inverse_ratio, material.bulk);
+        const Real inverse_volume = 1.0 / b.volume;
+        const Real inverse_ratio = initial_volume * inverse_volume;
+        Real mean = mean_stress_of_volume(b.volume, initial_volume, inverse_volume, material.bulk);
         if constexpr (viscous) {
             // Mean trace of the step at its end, to second order at mid-step.
             Real trace =
                 b.bx1 * u.c1 + b.bx2 * u.c2 + b.bx3 * u.c3 + b.by1 * w.c1 + b.by2 * w.c2 + b.by3 * w.c3;
             if constexpr (geometry == Geometry::axisymmetric)
                 trace += b.hoop0 * u.c0 + b.hoop1 * u.c1 + b.hoop2 * u.c2;
-            trace = dt * trace / b.volume;
-            const Real q = bulk_viscosity<Real>(trace, material.density * inverse_ratio,
-                                                square_root(Real(4.0 * g.j0)), dt, material);
-            add_to(sums.viscous + lane, viscous_work<Real>(state + 12 * block_lanes, q, trace * b.volume));
+            const Real q = bulk_viscosity<Real>(trace * inverse_volume, material.density * inverse_ratio,
+                                                Real(4.0 * g.j0), material);
+            add_to(sums.viscous + lane, viscous_work<Real>(state + 12 * block_lanes, q, dt * trace));
             mean -= q;
         }
 
@@ -59,27 +60,35 @@ struct QuadMeanDilatation {
         Real bad = 0.0 * b.volume;
         constexpr double gauss = 0.57735026918962576451;
         constexpr double xi[4] = {-gauss, gauss, gauss, -gauss}, eta[4] = {-gauss, -gauss, gauss, gauss};
+        Real jacobian[4], radius[4], inverse[4];
         for (int point = 0; point < 4; ++point) {
             const double p = xi[point], e = eta[point];
-            const Real jacobian = g.j0 + p * g.j1 + e * g.j2;
-            const Real inverse = 1.0 / jacobian;
+            jacobian[point] = g.j0 + p * g.j1 + e * g.j2;
+            if constexpr (geometry == Geometry::axisymmetric)
+                radius[point] = g.x0 + p * g.x1 + e * g.x2 + (p * e) * g.x3;
+            else
+                radius[point] = 0.0 * g.x0 + 1.0;
+            inverse[point] = jacobian[point] * radius[point];
+            bad += (jacobian[point] > 0.0) & (radius[point] > 0.0) ? Real(0.0 * bad) : Real(0.0 * bad + 1.0);
+        }
+        invert(inverse);
+        for (int point = 0; point < 4; ++point) {
+            const double p = xi[point], e = eta[point];
             const Real x_xi = g.x1 + e * g.x3, x_eta = g.x2 + p * g.x3;
             const Real y_xi = g.y1 + e * g.y3, y_eta = g.y2 + p * g.y3;
             const Real u_xi = u1 + e * u3, u_eta = u2 + p * u3;
             const Real w_xi = w1 + e * w3, w_eta = w2 + p * w3;
+            const Real inverse_jacobian = inverse[point] * radius[point];
             Gradient<Real> h;
-            h.h11 = (u_xi * y_eta - u_eta * y_xi) * inverse;
-            h.h12 = (u_eta * x_xi - u_xi * x_eta) * inverse;
-            h.h21 = (w_xi * y_eta - w_eta * y_xi) * inverse;
-            h.h22 = (w_eta * x_xi - w_xi * x_eta) * inverse;
-            Real radius;
-            if constexpr (geometry == Geometry::axisymmetric) {
-                radius = g.x0 + p * g.x1 + e * g.x2 + (p * e) * g.x3;
-                h.hoop = (u0 + p * u1 + e * u2 + (p * e) * u3) / radius;
-            } else {
-                radius = 0.0 * g.x0 + 1.0;
+            h.h11 = (u_xi * y_eta - u_eta * y_xi) * inverse_jacobian;
+            h.h12 = (u_eta * x_xi - u_xi * x_eta) * inverse_jacobian;
+            h.h21 = (w_xi * y_eta - w_eta * y_xi) * inverse_jacobian;
+            h.h22 = (w_eta * x_xi - w_xi * x_eta) * inverse_jacobian;
+            if constexpr (geometry == Geometry::axisymmetric)
+                h.hoop = (u0 + p * u1 + e * u2 + (p * e) * u3) * (inverse[point] * jacobian[point]);
+            else
                 h.hoop = 0.0 * g.x0;
-            }
+            keep_largest(sums.strain + lane, square_of(h));
             const auto strain = step_strain<Real, geometry>(h);
 
             double* at = state + point * (3 * block_lanes);
@@ -90,16 +99,16 @@ struct QuadMeanDilatation {
             } else {
                 double* extra = state + (law_begin + point * Law::extra_state) * block_lanes;
                 const Real work =
-                    Law::template update<Real>(s, strain.deviator, extra, batch, b.volume / initial_volume, dt);
-                add_to(sums.plastic + lane, Real(work * inverse_ratio * jacobian * radius));
+                    Law::template update<Real>(s, strain.deviator, extra, batch, inverse_ratio, dt);
+                add_to(sums.plastic + lane, Real(work * inverse_ratio * jacobian[point] * radius[point]));
             }
             store(at, s.m);
             store(at + block_lanes, s.d);
             store(at + 2 * block_lanes, s.s);
 
             // N_I,x J = [xi_I y_eta - eta_I y_xi + xi_I eta_I (eta y_eta - xi y_xi)] / 4, likewise for y.
-            const auto stress = total_stress<Real, geometry>(Real(0.0 * radius), s, inverse_ratio);
-            const Real weight = 0.25 * radius;
+            const auto stress = total_stress<Real, geometry>(Real(0.0 * mean), s, inverse_ratio);
+            const Real weight = 0.25 * radius[point];
             const Real s11 = weight * stress.s11, s22 = weight * stress.s22, s12 = weight * stress.s12;
             fx.c1 += s11 * y_eta - s12 * x_eta;
             fx.c2 += s12 * x_xi - s11 * y_xi;
@@ -108,13 +117,12 @@ struct QuadMeanDilatation {
             fy.c2 += s22 * x_xi - s12 * y_xi;
             fy.c3 += s12 * (e * y_eta - p * y_xi) + s22 * (p * x_xi - e * x_eta);
             if constexpr (geometry == Geometry::axisymmetric) {
-                const Real hoop = 0.25 * stress.s33 * jacobian;  // N_I hoop stress dA
+                const Real hoop = 0.25 * stress.s33 * jacobian[point];  // N_I hoop stress dA
                 fx.c0 += hoop;
                 fx.c1 += p * hoop;
                 fx.c2 += e * hoop;
                 fx.c3 += (p * e) * hoop;
             }
-            bad += (jacobian > 0.0) & (radius > 0.0) ? Real(0.0 * bad) : Real(0.0 * bad + 1.0);
         }
 
         const auto cx = to_corners(fx), cy = to_corners(fy);

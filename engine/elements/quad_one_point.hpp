@@ -33,7 +33,8 @@ struct QuadOnePoint {
         const auto b = quad_integrals<Real, geometry>(g);
 
         // Mean displacement gradient of the step at its end.
-        const Real inverse_volume = 1.0 / b.volume;
+        const Real both = 1.0 / (b.volume * g.j0);  // a division costs as much as a dozen products
+        const Real inverse_volume = both * g.j0, inverse_j0 = both * b.volume;
         const Real increment = dt * inverse_volume;
         Gradient<Real> h;
         h.h11 = increment * (b.bx1 * u.c1 + b.bx2 * u.c2 + b.bx3 * u.c3);
@@ -42,30 +43,32 @@ struct QuadOnePoint {
         h.h22 = increment * (b.by1 * w.c1 + b.by2 * w.c2 + b.by3 * w.c3);
         h.hoop = increment * (b.hoop0 * u.c0 + b.hoop1 * u.c1 + b.hoop2 * u.c2);
         const auto strain = step_strain<Real, geometry>(h);
+        // The gradient of xi eta, whose coefficients are u.c3 / 4 and w.c3 / 4, is at most sqrt(2 sides /
+        // j0).
+        const Real sides = inverse_j0 * (g.x1 * g.x1 + g.x2 * g.x2 + g.y1 * g.y1 + g.y2 * g.y2);
+        keep_largest(sums.strain + lane,
+                     square_of(h) + (0.125 * dt * dt) * (sides * inverse_j0) * (u.c3 * u.c3 + w.c3 * w.c3));
 
         // Stress: pressure from the volume, deviator from the law.
         Deviator<Real> s{load<Real>(state), load<Real>(state + block_lanes),
                          load<Real>(state + 2 * block_lanes)};
         rotate(s, strain.cosine, strain.sine);
+        const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
+        const Real inverse_ratio = initial_volume * inverse_volume;
         if constexpr (Law::extra_state == 0) {
             Law::template update<Real>(s, strain.deviator, material);
         } else {
-            const Real initial = load<Real>(batch.volume.data() + first * block_lanes + lane);
             const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes,
-                                                         batch, b.volume / initial, dt);
-            add_to(sums.plastic + lane, Real(work * initial));
+                                                         batch, inverse_ratio, dt);
+            add_to(sums.plastic + lane, Real(work * initial_volume));
         }
         store(state, s.m);
         store(state + block_lanes, s.d);
         store(state + 2 * block_lanes, s.s);
-        const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
-        const Real inverse_ratio = initial_volume * inverse_volume;
-        // As mean_stress_of_volume, by the difference: initial * (1 / volume) need not be 1 at rest.
-        Real mean = (0.5 * material.bulk) * ((b.volume - initial_volume) * inverse_volume) * (1.0 + inverse_ratio);
+        Real mean = mean_stress_of_volume(b.volume, initial_volume, inverse_volume, material.bulk);
         if constexpr (viscous) {
-            const Real area = 4.0 * g.j0;
-            const Real q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio,
-                                                square_root(area), dt, material);
+            const Real q = bulk_viscosity<Real>(strain.trace * (1.0 / dt), material.density * inverse_ratio,
+                                                Real(4.0 * g.j0), material);
             double* kept = state + (law_begin - 1) * block_lanes;
             add_to(sums.viscous + lane, viscous_work<Real>(kept, q, strain.trace * b.volume));
             mean -= q;
@@ -86,14 +89,12 @@ struct QuadOnePoint {
         if constexpr (hourglass) {
             // gamma_I = xi eta - xi J2/J0 - eta J1/J0 is orthogonal to every linear field of the present
             // positions.
-            const Real inverse_j0 = 1.0 / g.j0;
             const Real gamma1 = -g.j2 * inverse_j0, gamma2 = -g.j1 * inverse_j0;
             const Real qx = dt * (u.c3 + gamma1 * u.c1 + gamma2 * u.c2);
             const Real qy = dt * (w.c3 + gamma1 * w.c1 + gamma2 * w.c2);
             const Real weight = geometry == Geometry::axisymmetric ? g.x0 : Real(0.0 * g.x0 + 1.0);
             // 2 mu, not lambda + 2 mu: bending keeps the volume, and must stay soft as nu approaches 1/2.
-            const Real stiffness = (0.25 * material.hourglass * material.shear) * weight * inverse_j0 *
-                                   (g.x1 * g.x1 + g.x2 * g.x2 + g.y1 * g.y1 + g.y2 * g.y2);
+            const Real stiffness = (0.25 * material.hourglass * material.shear) * weight * sides;
             const Real old_x = load<Real>(state + 3 * block_lanes),
                        old_y = load<Real>(state + 4 * block_lanes);
             const Real turned_x = strain.cosine * old_x - strain.sine * old_y;

@@ -43,24 +43,24 @@ struct Triangle {
             h.hoop = dt * (n1.vx + n2.vx + n3.vx) / (n1.x + n2.x + n3.x);
         }
         const Real volume = 0.5 * twice_area * radius;
+        keep_largest(sums.strain + lane, square_of(h));
         const auto strain = step_strain<Real, geometry>(h);
 
         Deviator<Real> s{load<Real>(state), load<Real>(state + block_lanes),
                          load<Real>(state + 2 * block_lanes)};
         rotate(s, strain.cosine, strain.sine);
+        const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
+        const Real inverse_ratio = initial_volume / volume;
         if constexpr (Law::extra_state == 0) {
             Law::template update<Real>(s, strain.deviator, material);
         } else {
-            const Real initial = load<Real>(batch.volume.data() + first * block_lanes + lane);
-            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes, batch,
-                                                         volume / initial, dt);
-            add_to(sums.plastic + lane, Real(work * initial));
+            const Real work = Law::template update<Real>(s, strain.deviator, state + law_begin * block_lanes,
+                                                         batch, inverse_ratio, dt);
+            add_to(sums.plastic + lane, Real(work * initial_volume));
         }
         store(state, s.m);
         store(state + block_lanes, s.d);
         store(state + 2 * block_lanes, s.s);
-        const Real initial_volume = load<Real>(batch.volume.data() + first * block_lanes + lane);
-        const Real inverse_ratio = initial_volume / volume;
         Real mean, q;
         if constexpr (averaged) {
             const auto shared = mean_nodal_volume<Real>(batch.shared, index);
@@ -69,8 +69,8 @@ struct Triangle {
         } else {
             mean = mean_stress_of_volume(inverse_ratio, material.bulk);
             if constexpr (viscous)
-                q = bulk_viscosity<Real>(strain.trace, material.density * inverse_ratio,
-                                         square_root(Real(0.5 * twice_area)), dt, material);
+                q = bulk_viscosity<Real>(strain.trace * (1.0 / dt), material.density * inverse_ratio,
+                                         Real(0.5 * twice_area), material);
         }
         if constexpr (viscous) {
             add_to(sums.viscous + lane,

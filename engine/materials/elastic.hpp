@@ -30,6 +30,14 @@ template <class Real>
     return (0.5 * bulk) * (1.0 - inverse_ratio * inverse_ratio);
 }
 
+/// The same by the difference of volumes: exactly 0 at the initial one, where initial * (1 / volume) need not
+/// be 1, and without cancellation near it.
+template <class Real>
+[[gnu::always_inline]] inline Real mean_stress_of_volume(Real volume, Real initial, Real inverse_volume,
+                                                         double bulk) {
+    return (0.5 * bulk) * ((volume - initial) * inverse_volume) * (1.0 + initial * inverse_volume);
+}
+
 /// Hypoelastic Kirchhoff deviator tau = J s, the seam where plastic laws go: a law takes the rotated deviator
 /// and the mid-step deviatoric strain increment to the new deviator, keeping `extra_state` doubles of its own
 /// per point. Of Kirchhoff stress because the power per initial volume is then tau : d = d/dt (tau : tau / 4

@@ -4,27 +4,29 @@
 
 namespace percuss::PERCUSS_ISA {
 
-/// One point whose elastic trial stress is beyond the yield stress: what its hardening law sees of it. Cauchy
+/// Points whose elastic trial stress is beyond the yield stress: what their hardening law sees of it. Cauchy
 /// stresses.
+template <class Real>
 struct Trial {
-    double equivalent;    ///< q = sqrt(3/2 s:s) of the trial deviator [stress]
-    double triple_shear;  ///< 3 mu / J: by this q falls for each unit of plastic strain [stress]
-    double old_along;     ///< stress before the step along the flow direction, 3/2 s_old:s_trial / q [stress]
-    double volume_ratio;  ///< J, present volume over initial volume
-    double density;       ///< initial [mass/length^3]
-    double dt;            ///< [time]
+    Real equivalent;    ///< q = sqrt(3/2 s:s) of the trial deviator [stress]
+    Real triple_shear;  ///< 3 mu / J: by this q falls for each unit of plastic strain [stress]
+    Real old_along;     ///< stress before the step along the flow direction, 3/2 s_old:s_trial / q [stress]
+    Real volume_ratio;  ///< J, present volume over initial volume
+    double density;     ///< initial [mass/length^3]
+    double dt;          ///< [time]
 
     /// Plastic work of the step per present volume (J of it per initial volume): mean of the stresses before
     /// and after it, as the nodal forces' work is booked, so that elastic energy and plastic work add up to
     /// the ledger's internal work [stress].
-    [[nodiscard]] double work(double plastic_strain, double equivalent_after) const {
+    [[nodiscard]] Real work(Real plastic_strain, Real equivalent_after) const {
         return 0.5 * plastic_strain * (old_along + equivalent_after);
     }
 };
 
 /// Plastic strain of a step, and the equivalent stress at its end [stress].
+template <class Real>
 struct Flow {
-    double plastic_strain, equivalent;
+    Real plastic_strain, equivalent;
 };
 
 /// Finite-strain J2 plasticity, hypoelastic: radial return of the rotated deviator plus elastic increment
@@ -32,59 +34,76 @@ struct Flow {
 /// condition
 ///   q - 3 mu / J x = yield stress after x
 /// in Cauchy stress, and keeps its state per point: equivalent plastic strain, yield stress (so that elastic
-/// steps evaluate no law), ...
+/// steps evaluate no law), ... A law with `on_lanes` takes all points of a register at once, the others take
+/// them one by one.
 template <class Hardening>
 struct J2 {
     static constexpr int extra_state = Hardening::state_size;
 
     /// @param stress rotated Kirchhoff deviator J s on entry, new one on return
     /// @param state of the hardening, [component][lane]
-    /// @param volume_ratio J, present over initial volume
+    /// @param inverse_ratio 1/J, initial over present volume
     /// @returns plastic work per initial volume [stress]
     template <class Real>
     [[gnu::always_inline]] static Real update(Deviator<Real>& stress, const Deviator<Real>& strain_increment,
-                                              double* state, const Batch& batch, Real volume_ratio,
+                                              double* state, const Batch& batch, Real inverse_ratio,
                                               double dt) {
         const Deviator<Real> old = stress;
         Elastic::update(stress, strain_increment, batch.material);
         const Real square = 9.0 * (stress.m * stress.m) + 3.0 * (stress.d * stress.d + stress.s * stress.s);
-        const Real yield = volume_ratio * load<Real>(state + block_lanes);
-        const Real excess = square - yield * yield;
+        const Real yield = load<Real>(state + block_lanes);
+        const Real excess = square * (inverse_ratio * inverse_ratio) - yield * yield;
+        const Real none = 0.0 * square;
+        if (!any_positive(excess)) return none;
 
-        Real work = 0.0 * square;
-        double beyond[lanes_of<Real>];
-        store(beyond, excess);
-        bool yields = false;
-        for (const double value : beyond) yields |= value > 0;
-        if (!yields) return work;
-
+        const auto& law = *std::get_if<typename Hardening::Parameters>(&batch.plasticity);
+        const Real one = none + 1.0, volume_ratio = 1.0 / inverse_ratio;
+        const auto flows = excess > 0.0;
+        const Real kirchhoff = square_root(Real(flows ? square : one));
         const Real along = 9.0 * (old.m * stress.m) + 3.0 * (old.d * stress.d + old.s * stress.s);
-        double squares[lanes_of<Real>], alongs[lanes_of<Real>], ratios[lanes_of<Real>];
-        double scales[lanes_of<Real>], works[lanes_of<Real>];
-        store(squares, square);
-        store(alongs, along);
-        store(ratios, volume_ratio);
-        for (int lane = 0; lane < lanes_of<Real>; ++lane) {
-            scales[lane] = 1;
-            works[lane] = 0;
-            if (!(beyond[lane] > 0)) continue;
-            const double kirchhoff = std::sqrt(squares[lane]), inverse = 1 / ratios[lane];
-            const Trial trial{kirchhoff * inverse,
-                              3 * batch.material.shear * inverse,
-                              alongs[lane] / kirchhoff * inverse,
-                              ratios[lane],
-                              batch.material.density,
-                              dt};
-            const Flow flow = Hardening::flow(*std::get_if<typename Hardening::Parameters>(&batch.plasticity),
-                                              trial, state + lane);
-            scales[lane] = flow.equivalent / trial.equivalent;
-            works[lane] = ratios[lane] * trial.work(flow.plastic_strain, flow.equivalent);
-        }
-        const Real scale = load<Real>(scales);
+        const Trial<Real> trial{kirchhoff * inverse_ratio,
+                                (3 * batch.material.shear) * inverse_ratio,
+                                along / kirchhoff * inverse_ratio,
+                                volume_ratio,
+                                batch.material.density,
+                                dt};
+        const Flow<Real> flow = flow_of_lanes(law, trial, state, excess);
+        const Real scale = flows ? Real(flow.equivalent / trial.equivalent) : one;
         stress.m *= scale;
         stress.d *= scale;
         stress.s *= scale;
-        return load<Real>(works);
+        return flows ? Real(volume_ratio * trial.work(flow.plastic_strain, flow.equivalent)) : none;
+    }
+
+  private:
+    /// @param excess positive where a point flows; elsewhere the state stays.
+    template <class Real>
+    [[gnu::always_inline]] static Flow<Real> flow_of_lanes(const typename Hardening::Parameters& law,
+                                                           const Trial<Real>& trial, double* state,
+                                                           Real excess) {
+        if constexpr (Hardening::on_lanes) {
+            return Hardening::template flow<Real>(law, trial, state, excess);
+        } else {
+            constexpr auto lanes = static_cast<std::size_t>(lanes_of<Real>);
+            double beyond[lanes], equivalent[lanes], triple_shear[lanes], along[lanes], ratio[lanes];
+            double strains[lanes] = {}, after[lanes] = {};
+            store(beyond, excess);
+            store(equivalent, trial.equivalent);
+            store(triple_shear, trial.triple_shear);
+            store(along, trial.old_along);
+            store(ratio, trial.volume_ratio);
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                if (!(beyond[lane] > 0)) continue;
+                const Flow<double> flow =
+                    Hardening::flow(law,
+                                    Trial<double>{equivalent[lane], triple_shear[lane], along[lane],
+                                                  ratio[lane], trial.density, trial.dt},
+                                    state + lane);
+                strains[lane] = flow.plastic_strain;
+                after[lane] = flow.equivalent;
+            }
+            return {load<Real>(strains), load<Real>(after)};
+        }
     }
 };
 

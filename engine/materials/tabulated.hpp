@@ -10,8 +10,10 @@ namespace percuss::PERCUSS_ISA {
 struct Tabulated {
     using Parameters = TabulatedHardening;
     static constexpr int state_size = 2;
+    static constexpr bool on_lanes = false;
 
-    [[gnu::noinline]] static Flow flow(const Parameters& law, const Trial& trial, double* state) {
+    [[gnu::noinline]] static Flow<double> flow(const Parameters& law, const Trial<double>& trial,
+                                               double* state) {
         double& plastic_strain = state[0];
         double& yield = state[block_lanes];
         const auto& points = law.points;

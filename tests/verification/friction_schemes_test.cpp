@@ -2,6 +2,7 @@
 // holds.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "verification/schemes.hpp"
 

@@ -289,7 +289,10 @@ TEST(Friction, CoefficientZeroIsNoFriction) {
         rough(sliding_block(0.3, 0.02, 0.02));
     without.to_end();
     rough.to_end();
-    EXPECT_EQ(without.column("body.block.velocity.x").back(), 0.02);
+    // Each step rounds stresses by eps K, hence velocities by eps c, and these errors make a random walk.
+    const auto steps = static_cast<double>(without.solver.steps());
+    EXPECT_NEAR(without.column("body.block.velocity.x").back(), 0.02,
+                std::numeric_limits<double>::epsilon() * std::sqrt(young / density * steps));
     EXPECT_NE(without.solver.statistics().state_hash, rough.solver.statistics().state_hash);
     for (const HistoryColumn& column : history_columns(without.solver.setup()->scene))
         EXPECT_EQ(column.name.find("friction"), std::string::npos) << column.name;

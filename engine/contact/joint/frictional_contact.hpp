@@ -66,7 +66,7 @@ class FrictionalContact final : public Normal {
     void clear_tangents();
     void choose_tangents(const PredictedMotion& motion);
     void solve_friction(const PredictedMotion& motion);
-    [[nodiscard]] double meet_friction(const PredictedMotion& motion);
+    [[nodiscard]] double meet_friction(const PredictedMotion& motion, double share);
     void count_sticking();
 
     std::vector<Pair> pairs_;
