@@ -14,11 +14,6 @@ struct Matrix {
     Real a[n][n];
 };
 
-template <class Real>
-[[gnu::always_inline]] inline Real largest(Real a, Real b) {
-    return a > b ? a : b;
-}
-
 /// Largest row sum of absolute values.
 template <class Real, int n>
 [[gnu::always_inline]] inline Real row_norm(const Matrix<Real, n>& m) {
@@ -26,7 +21,7 @@ template <class Real, int n>
     for (int i = 0; i < n; ++i) {
         Real sum = magnitude(m.a[i][0]);
         for (int j = 1; j < n; ++j) sum += magnitude(m.a[i][j]);
-        norm = largest(norm, sum);
+        norm = larger_of(norm, sum);
     }
     return norm;
 }
@@ -38,7 +33,7 @@ template <class Real, int n>
 [[gnu::always_inline]] inline Real spectral_radius_bound(Matrix<Real, n> m, int squarings) {
     Real bound = row_norm(m), root = bound;
     for (int k = 0; k < squarings; ++k) {
-        const Real scale = 1.0 / largest(root, Real(0.0 * root + 1e-300));
+        const Real scale = 1.0 / larger_of(root, Real(0.0 * root + 1e-300));
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j) m.a[i][j] *= scale;
         Matrix<Real, n> square;
@@ -101,8 +96,8 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline Real stress_stiffness(Real m, Real d, Real s, Real inverse_ratio, Real mean) {
     const Real in_plane = square_root(Real(d * d + s * s)), middle = magnitude(m);
-    const Real principal = largest(Real(middle + in_plane), Real(2.0 * middle));
-    return inverse_ratio * (principal + in_plane) + largest(mean, Real(0.0 * mean));
+    const Real principal = larger_of(Real(middle + in_plane), Real(2.0 * middle));
+    return inverse_ratio * (principal + in_plane) + larger_of(mean, Real(0.0 * mean));
 }
 
 /// Larger eigenvalue of a symmetric 2 x 2 matrix.
@@ -140,7 +135,7 @@ template <class Real, Geometry geometry, int corners, bool hourglass>
     const Real yy_x = dot(by, by, mx) * inverse, xx_y = dot(bx, bx, my) * inverse;
     g.a[3][3] = yy_x + xx_y;
     // The gradient of x velocities, then that of y velocities, which do not couple in its square.
-    const Real gradient = largest(Real(larger_eigenvalue(g.a[0][0], g.a[0][3], yy_x) + g.a[2][2]),
+    const Real gradient = larger_of(Real(larger_eigenvalue(g.a[0][0], g.a[0][3], yy_x) + g.a[2][2]),
                                   larger_eigenvalue(xx_y, g.a[1][3], g.a[1][1]));
     if constexpr (hourglass) {
         g.a[4][4] = dot(gamma, gamma, mx);

@@ -8,9 +8,10 @@
 #include "dynamics/node.hpp"
 #include "elements/batch.hpp"
 
-/// Arithmetic on several elements at once. `Real` is double (the scalar reference) or a GCC vector of doubles; the same
-/// source serves both, and with contraction off both give the same bits. PERCUSS_ISA names the namespace of the
-/// instruction set a file is compiled for, so that the linker cannot mix code of two instruction sets.
+/// Arithmetic on several elements at once. `Real` is double (the scalar reference) or a GCC vector of
+/// doubles; the same source serves both, and with contraction off both give the same bits. PERCUSS_ISA names
+/// the namespace of the instruction set a file is compiled for, so that the linker cannot mix code of two
+/// instruction sets.
 #ifndef PERCUSS_ISA
 #error "define PERCUSS_ISA before including kernel headers"
 #endif
@@ -51,15 +52,23 @@ template <class Real>
     }
 }
 
+template <class Real>
+[[gnu::always_inline]] inline Real larger_of(Real a, Real b) {
+    return a > b ? a : b;
+}
+
 /// Whether any element's value is positive.
 template <class Real>
 [[gnu::always_inline]] inline bool any_positive(Real value) {
     if constexpr (lanes_of<Real> == 1) {
         return value > 0.0;
+    } else if constexpr (lanes_of<Real> == 4) {
+        const auto is = value > 0.0;
+        const auto any = __builtin_shufflevector(is, is, 0, 1) | __builtin_shufflevector(is, is, 2, 3);
+        return (any[0] | any[1]) != 0;
     } else {
-        bool any = false;
-        for (int lane = 0; lane < lanes_of<Real>; ++lane) any |= value[lane] > 0;
-        return any;
+        return any_positive(larger_of(Double4(__builtin_shufflevector(value, value, 0, 1, 2, 3)),
+                                      Double4(__builtin_shufflevector(value, value, 4, 5, 6, 7))));
     }
 }
 

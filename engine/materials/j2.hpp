@@ -57,18 +57,20 @@ struct J2 {
         if (!any_positive(excess)) return none;
 
         const auto& law = *std::get_if<typename Hardening::Parameters>(&batch.plasticity);
-        const Real one = none + 1.0, volume_ratio = 1.0 / inverse_ratio;
+        const Real one = none + 1.0;
         const auto flows = excess > 0.0;
         const Real kirchhoff = square_root(Real(flows ? square : one));
+        const Real equivalent = kirchhoff * inverse_ratio, inverse = 1.0 / equivalent;
+        const Real volume_ratio = inverse * kirchhoff;
         const Real along = 9.0 * (old.m * stress.m) + 3.0 * (old.d * stress.d + old.s * stress.s);
-        const Trial<Real> trial{kirchhoff * inverse_ratio,
+        const Trial<Real> trial{equivalent,
                                 (3 * batch.material.shear) * inverse_ratio,
-                                along / kirchhoff * inverse_ratio,
+                                along * inverse * (inverse_ratio * inverse_ratio),
                                 volume_ratio,
                                 batch.material.density,
                                 dt};
         const Flow<Real> flow = flow_of_lanes(law, trial, state, excess);
-        const Real scale = flows ? Real(flow.equivalent / trial.equivalent) : one;
+        const Real scale = flows ? Real(flow.equivalent * inverse) : one;
         stress.m *= scale;
         stress.d *= scale;
         stress.s *= scale;
