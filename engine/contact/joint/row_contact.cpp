@@ -117,11 +117,11 @@ void RowContact::find(const PredictedMotion& motion) {
         pair.master_motion = motion.dt * std::sqrt(master);
         pair.slave_motion = motion.dt * std::sqrt(slave);
         pair.rows_begin = rows_.size();
-        const double range = pair.relative * std::max(1.0, longest_step_ / motion.dt);
-        pair.builder->find(
-            {motion.nodes, motion.dt, std::max(range, pair.left_open) + reach_, motion.dt * recovery_speed_,
-             pair.condition, pair.held.empty() ? nullptr : pair.held.data()},
-            rows_);
+        pair.fastest = std::max(pair.fastest, pair.relative / motion.dt);
+        const double range = std::max({pair.relative, pair.fastest * longest_step_, pair.left_open}) + reach_;
+        pair.builder->find({motion.nodes, motion.dt, range, motion.dt * recovery_speed_, pair.condition,
+                            pair.held.empty() ? nullptr : pair.held.data()},
+                           rows_);
         pair.rows_end = rows_.size();
     }
 }

@@ -77,6 +77,7 @@ class RowContact : public ContactMethod {
         std::vector<double> held = {};  ///< at the velocity level, per key: StepMotion::held
         std::size_t rows_begin = 0, rows_end = 0;
         double left_open = 0;                                      ///< the widest of the gaps held [length]
+        double fastest = 0;                                        ///< relative motion so far [velocity]
         double relative = 0, master_motion = 0, slave_motion = 0;  ///< bounds within this step [length]
     };
 
