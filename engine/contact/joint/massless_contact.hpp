@@ -18,8 +18,9 @@ namespace percuss {
 /// motion that is known. One quasidefinite matrix, solved by the active set; for elements that are not
 /// elastic, or turn, what does not balance is in f_int of the next step, and is meanwhile taken by the nodes
 /// that carry the layer's mass: linear momentum is exact. Energy: no loss at an impact, and none comes in but
-/// what does not balance; the first peak of a blow is some 30 % too high, for the front of the wave is
-/// steeper. Masses move inwards by half an element. The critical step is that of the nodes with mass, no
+/// what does not balance, and half of force times opening where a face parts within a step
+/// (tests/verification/CONTACT.md); the first peak of a blow is some 30 % too high, for the front of the wave
+/// is steeper. Masses move inwards by half an element. The critical step is that of the nodes with mass, no
 /// smaller. A step costs the factorisation of the whole layer, in touch or not. The forces of a step balance
 /// the elements' at x_n: they were found in the step before. No friction: a node without mass has no slip to
 /// stop.

@@ -52,6 +52,7 @@ class MasslessLayer {
         Cell corners;
         ElementKind kind;
         ElasticConstants material;
+        double area;  ///< undeformed [length^2]
         CellStiffness stiffness;
     };
     [[nodiscard]] const std::vector<LayerCell>& cells() const { return cells_; }
