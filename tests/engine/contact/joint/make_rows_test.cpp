@@ -13,8 +13,8 @@ TEST(MakeRows, KeysAndOwnersAreBelowTheirNumbers) {
     for (const char* scheme : {"node-to-side", "symmetric", "segment-to-segment"})
         for (const bool swapped : {false, true}) {
             const Scene scene =
-                scene_of(scene_head("plane strain", 1, 0.3) + box_body("coarse", {0, 0, 4, 2}, {3, 2}) +
-                         box_body("fine", {0, 2, 4, 4}, {9, 4}) + joint_problem +
+                scene_of(scene_head("plane strain", 1, 0.3) + box_body("coarse", {0, 2, 4, 4}, {3, 2}) +
+                         box_body("fine", {0, 0, 4, 2}, {9, 4}) + joint_problem +
                          bodies_pair("hit", swapped ? "fine" : "coarse", swapped ? "coarse" : "fine",
                                      std::string(scheme)));
             const Mesh mesh = build_mesh(scene);
