@@ -63,6 +63,7 @@ Solver::Solver(Scene scene, int threads)
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         const PairSurfaces surfaces = pair_surfaces(s, setup_->mesh, s.contacts[p]);
         pairs_[p].flags.assign(surfaces.master.nodes.size() + surfaces.slave.nodes.size(), 0);
+        pairs_[p].active.reserve(pairs_[p].flags.size());
     }
     if (!loads_.none()) external_.assign(2 * mass_.size(), 0);
     if (!imposed_.prescribed.empty()) {

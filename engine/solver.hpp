@@ -172,7 +172,7 @@ class Solver {
     [[nodiscard]] std::string element_name(const Batch& batch, std::int32_t element) const;
     [[nodiscard]] std::string moment() const;  ///< the present time with its unit
     [[nodiscard]] double strain_energy_error() const;
-    [[nodiscard]] std::array<double, 2> velocity_before(std::int32_t node) const;
+    [[nodiscard]] ForcesOnNodes forces_on_nodes() const;
 
     std::shared_ptr<const RunSetup> setup_;
     std::shared_ptr<const InFlight> in_force_;

@@ -306,9 +306,7 @@ void Solver::stresses_at_predicted_positions() {
 void Solver::resolve_contacts() {
     if (!contact_) return;
     if (contact_scheme_ != in_force_->contact_solver.scheme) switch_contact();
-    const auto data = [](const std::vector<double>& of) { return of.empty() ? nullptr : of.data(); };
-    const ForcesOnNodes forces{inverse_mass_.data(), internal_.data(), data(external_),
-                               data(imposed_change_)};
+    const ForcesOnNodes forces = forces_on_nodes();
     PredictedMotion motion{
         state_.dt, kick_,  state_.nodes.data(), inverse_mass_.data(), contact_impulse_.data(),
         &touched_, &forces};
@@ -322,16 +320,9 @@ void Solver::resolve_contacts() {
     stored_in_contact_ = motion.stored;
 }
 
-std::array<double, 2> Solver::velocity_before(std::int32_t node) const {
-    std::array<double, 2> before{};
-    for (std::size_t d = 0; d < 2; ++d) {
-        const std::size_t k = 2 * static_cast<std::size_t>(node) + d;
-        const double net = (external_.empty() ? 0 : external_[k]) - internal_[k];
-        before[d] = state_.nodes[static_cast<std::size_t>(node)].v[d] -
-                    inverse_mass_[k] * (contact_impulse_[k] + kick_ * net);
-        if (!imposed_change_.empty()) before[d] -= imposed_change_[k];
-    }
-    return before;
+ForcesOnNodes Solver::forces_on_nodes() const {
+    const auto data = [](const std::vector<double>& of) { return of.empty() ? nullptr : of.data(); };
+    return {inverse_mass_.data(), internal_.data(), data(external_), data(imposed_change_)};
 }
 
 /// What changes the momentum of all bodies together: loads, and the reactions that impose velocities or hold
@@ -383,10 +374,12 @@ Solver::RowSums Solver::sum_rows(const RowSpan& rows, bool self) const {
 /// before t_n; the works after it go to the ledger.
 Solver::ContactWorks Solver::account_contacts(NodeSums& sums) {
     Ledger& ledger = state_.ledger;
+    const ForcesOnNodes forces = forces_on_nodes();
     for (const std::int32_t node : touched_) {
-        const auto before = velocity_before(node);
+        const auto change = forces.change(node, kick_, contact_impulse_.data());
+        const auto n = static_cast<std::size_t>(node);
         for (std::size_t d = 0; d < 2; ++d)
-            velocity_before_contact_[2 * static_cast<std::size_t>(node) + d] = before[d];
+            velocity_before_contact_[2 * n + d] = state_.nodes[n].v[d] - change[d];
     }
     ContactWorks works_before;
     for (std::size_t p = 0; p < pairs_.size(); ++p) {

@@ -16,13 +16,17 @@ struct ForcesOnNodes {
     const double* external = nullptr;  ///< null: there are none
     const double* imposed = nullptr;   ///< changes of velocity by prescribed motion; null: there are none
 
-    /// Change of velocity. @param kick time for which the forces acted
-    [[nodiscard]] std::array<double, 2> change(std::int32_t node, double kick) const {
+    /// Change of velocity. @param kick time for which the forces acted @param impulse 2 a node, that contact
+    /// put on top; null: none
+    [[nodiscard]] std::array<double, 2> change(std::int32_t node, double kick,
+                                               const double* impulse = nullptr) const {
         std::array<double, 2> dv{};
         for (std::size_t d = 0; d < 2; ++d) {
             const std::size_t k = 2 * static_cast<std::size_t>(node) + d;
-            dv[d] = kick * inverse_mass[k] * ((external ? external[k] : 0) - internal[k]) +
-                    (imposed ? imposed[k] : 0);
+            const double net = (external ? external[k] : 0) - internal[k];
+            dv[d] = kick * inverse_mass[k] * net;
+            if (impulse) dv[d] += inverse_mass[k] * impulse[k];
+            if (imposed) dv[d] += imposed[k];
         }
         return dv;
     }

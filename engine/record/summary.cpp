@@ -9,6 +9,7 @@
 #include "record/summary_history.hpp"
 #include "run/fields.hpp"
 #include "run/force_error.hpp"
+#include "scene/scheme_names.hpp"
 
 namespace percuss {
 namespace {
@@ -90,29 +91,13 @@ Json contacts(const Scene& scene, const RunStatistics& statistics, const History
     return result;
 }
 
-const char* name_of(ContactScheme scheme) {
-    switch (scheme) {
-        case ContactScheme::joint:
-            return "joint";
-        case ContactScheme::penalty:
-            return "penalty";
-        case ContactScheme::bipenalty:
-            return "bipenalty";
-        case ContactScheme::massless:
-            return "massless";
-        case ContactScheme::projection:
-            break;
-    }
-    return "projection";
-}
-
 Json contact_solver(const Scene& scene, const RunStatistics& statistics) {
     const ContactSolverStatistics& s = statistics.contact_solver;
     const auto problems = static_cast<double>(s.problems);
-    if (scene.contact_solver.scheme == ContactScheme::projection) return {{"scheme", "projection"}};
-    if (scene.contact_solver.scheme == ContactScheme::penalty && !has_friction(scene))
-        return {{"scheme", "penalty"}};
-    Json result{{"scheme", name_of(scene.contact_solver.scheme)},
+    const ContactScheme scheme = scene.contact_solver.scheme;
+    if (scheme == ContactScheme::projection || (scheme == ContactScheme::penalty && !has_friction(scene)))
+        return {{"scheme", name_of(scheme)}};
+    Json result{{"scheme", name_of(scheme)},
                 {"problems", s.problems},
                 {"rows_mean", ratio(static_cast<double>(s.rows), problems)},
                 {"rows_max", s.most_rows},

@@ -11,6 +11,7 @@
 #include "run/fields.hpp"
 #include "scene/expression.hpp"
 #include "scene/expressions.hpp"
+#include "scene/scheme_names.hpp"
 
 namespace percuss {
 namespace {
@@ -60,8 +61,8 @@ class Collector {
             "springs. bipenalty: springs with inertia. massless: contact nodes without mass; to and from it "
             "the run "
             "begins anew.";
-        value.choices = {"projection", "joint", "penalty", "bipenalty", "massless"};
-        value.choice = value.choices[static_cast<std::size_t>(scene_->contact_solver.scheme)];
+        for (const auto& [name, scheme] : contact_scheme_words()) value.choices.push_back(name);
+        value.choice = name_of(scene_->contact_solver.scheme);
         value.expression = expression(value.key);
         value.effect = ChangeEffect::next_step;
         values_.push_back(std::move(value));

@@ -5,6 +5,7 @@
 
 #include "run/in_flight.hpp"
 #include "scene/parse.hpp"
+#include "scene/scheme_names.hpp"
 
 namespace percuss {
 namespace {
@@ -12,10 +13,10 @@ namespace {
 constexpr std::string_view each_pair = "contact.*.";
 
 /// A scheme sets all that another one may have set, so that any can follow any.
-NamedScheme scheme(const char* name, const char* solver, const char* rows, const char* level,
+NamedScheme scheme(const char* name, ContactScheme solver, RowScheme rows, const char* level,
                    const char* explanation, const char* sign = "restricted", const char* lagged = "false") {
     return {name,
-            {std::string("contact_solver.scheme=") + solver, std::string("contact.*.scheme=") + rows,
+            {"contact_solver.scheme=" + name_of(solver), "contact.*.scheme=" + name_of(rows),
              std::string("contact.*.level=") + level, std::string("contact.*.sign=") + sign,
              std::string("model.lagged=") + lagged},
             explanation};
@@ -24,27 +25,29 @@ NamedScheme scheme(const char* name, const char* solver, const char* rows, const
 }  // namespace
 
 const std::vector<NamedScheme>& named_schemes() {
+    using Solver = ContactScheme;
+    using Rows = RowScheme;
     static const std::vector<NamedScheme> table{
-        scheme("lagged", "projection", "node-to-side", "position",
+        scheme("lagged", Solver::projection, Rows::node_to_side, "position",
                "projection with stresses taken before the correction; it chatters: a teaching mode",
                "restricted", "true"),
-        scheme("unrestricted", "projection", "node-to-side", "position",
+        scheme("unrestricted", Solver::projection, Rows::node_to_side, "position",
                "projection by the paper's equations as they stand: contact may pull", "unrestricted"),
-        scheme("projection", "projection", "node-to-side", "position",
+        scheme("projection", Solver::projection, Rows::node_to_side, "position",
                "the paper's nodal projection, pair by pair; contact only pushes"),
-        scheme("joint", "joint", "node-to-side", "position",
+        scheme("joint", Solver::joint, Rows::node_to_side, "position",
                "all pairs in one nonnegative problem: master nodes out of slave sides"),
-        scheme("symmetric", "joint", "symmetric", "position",
+        scheme("symmetric", Solver::joint, Rows::symmetric, "position",
                "the same with nodes of both out of sides of the other: no roles"),
-        scheme("segment-to-segment", "joint", "segment-to-segment", "position",
+        scheme("segment-to-segment", Solver::joint, Rows::segment_to_segment, "position",
                "the same with mean gaps of overlapping sides (mortar), and guards for nodes"),
-        scheme("velocity", "joint", "symmetric", "velocity",
+        scheme("velocity", Solver::joint, Rows::symmetric, "velocity",
                "symmetric at the level of velocities: what would close in the step stops where it is"),
-        scheme("penalty", "penalty", "symmetric", "position",
+        scheme("penalty", Solver::penalty, Rows::symmetric, "position",
                "springs against penetration on symmetric rows"),
-        scheme("bipenalty", "bipenalty", "symmetric", "position",
+        scheme("bipenalty", Solver::bipenalty, Rows::symmetric, "position",
                "the same springs with inertia, which spare the critical step"),
-        scheme("massless", "massless", "symmetric", "position",
+        scheme("massless", Solver::massless, Rows::symmetric, "position",
                "symmetric with contact nodes that have no mass: nothing is lost at an impact"),
     };
     return table;

@@ -4,6 +4,7 @@
 
 #include "run/fields.hpp"
 #include "scene/readers.hpp"
+#include "scene/scheme_names.hpp"
 
 namespace percuss {
 namespace {
@@ -27,6 +28,14 @@ constexpr std::string_view every_body = "all";
 
 /// bodies = "all".
 bool names_all(const toml::node* bodies) { return bodies && bodies->value<std::string_view>() == every_body; }
+
+void refuse_rows_of_self(TableReader& reader, const ContactPair& pair) {
+    if (is_self_contact(pair) && reader.find("scheme") && pair.scheme != RowScheme::symmetric)
+        reader.error("scheme",
+                     fmt::format("a body, '{}', is kept out of itself by the scheme \"symmetric\"; leave "
+                                 "'scheme' out, or name the pairs that it is for",
+                                 pair.master.body));
+}
 
 void refuse_roles(TableReader& reader) {
     for (const char* role : {"master", "slave"})
@@ -96,6 +105,8 @@ void append_all_pairs(TableReader& reader, Scene& scene, const ContactPair& like
             append(scene.bodies[a].name, scene.bodies[b].name);
         for (const Wall& wall : scene.walls) append(scene.bodies[a].name, wall.name);
     }
+    if (const auto self = std::find_if(pairs.begin(), pairs.end(), is_self_contact); self != pairs.end())
+        refuse_rows_of_self(reader, *self);
     if (pairs.empty())
         reader.error("bodies",
                      "nothing is left to pair: other tables name every two bodies; leave this one out");
@@ -152,12 +163,7 @@ void read_contact_solver(TableReader& root, Scene& scene) {
     auto reader = root.table("contact_solver");
     if (!reader) return;
     ContactSolver& solver = scene.contact_solver;
-    const auto scheme = reader->choice<ContactScheme>("scheme", "contact scheme",
-                                                      {{"projection", ContactScheme::projection},
-                                                       {"joint", ContactScheme::joint},
-                                                       {"penalty", ContactScheme::penalty},
-                                                       {"bipenalty", ContactScheme::bipenalty},
-                                                       {"massless", ContactScheme::massless}});
+    const auto scheme = reader->choice<ContactScheme>("scheme", "contact scheme", contact_scheme_words());
     if (scheme) solver.scheme = *scheme;
     const bool joint = solver.scheme == ContactScheme::joint,
                penalty = solver.scheme == ContactScheme::penalty,
@@ -212,10 +218,7 @@ namespace {
 /// All of a [[contact]] but what it is between.
 void read_how(TableReader& reader, const Scene& scene, ContactPair& pair) {
     const bool rows = scene.contact_solver.scheme != ContactScheme::projection;
-    const auto scheme = reader.choice<RowScheme>("scheme", "contact scheme",
-                                                 {{"node-to-side", RowScheme::node_to_side},
-                                                  {"symmetric", RowScheme::symmetric},
-                                                  {"segment-to-segment", RowScheme::segment_to_segment}});
+    const auto scheme = reader.choice<RowScheme>("scheme", "contact scheme", row_scheme_words());
     pair.scheme = scheme.value_or(pair.by_bodies ? RowScheme::symmetric : RowScheme::node_to_side);
     if (scheme && pair.scheme != RowScheme::node_to_side && !rows)
         reader.error("scheme",
@@ -275,9 +278,7 @@ void read_pair(TableReader& reader, Scene& scene) {
     if (master) pair.master = *master;
     if (slave) pair.slave = *slave;
     if (master && slave) check_self_contact(reader, pair, self);
-    if (is_self_contact(pair) && !all && reader.find("scheme") && pair.scheme != RowScheme::symmetric)
-        reader.error("scheme",
-                     "a body is kept out of itself by the scheme \"symmetric\"; leave 'scheme' out");
+    if (!all) refuse_rows_of_self(reader, pair);
     reader.finish();
     if (all)
         append_all_pairs(reader, scene, pair);

@@ -72,23 +72,34 @@ void expect_sound(const std::string& name, const std::string& step,
     write_row(name, step, outcome);
 }
 
-class HardCase : public ::testing::TestWithParam<std::tuple<std::string, const char*>> {};
+/// Two cases take two thirds of the time of the grid: one of many steps, one of a thousand rows. What they
+/// are for, folds that come into touch and a matrix that stays narrow, is there at any step; instability is
+/// looked for near the critical one.
+std::vector<std::string> steps_of(const std::string& name) {
+    if (name == "tube-crushed" || name == "one-against-thousand") return {"0.5", "0.9", "0.98"};
+    return {"0.1", "0.2", "0.35", "0.5", "0.7", "0.8", "0.9", "0.95", "0.98"};
+}
+
+std::vector<std::tuple<std::string, std::string>> grid() {
+    std::vector<std::tuple<std::string, std::string>> cases;
+    for (const std::string& name : hard_cases())
+        for (const std::string& step : steps_of(name)) cases.emplace_back(name, step);
+    return cases;
+}
+
+class HardCase : public ::testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
 TEST_P(HardCase, NeitherGainsEnergyNorLosesMomentum) {
     const auto& [name, step] = GetParam();
-    expect_sound(name, step, {std::string("model.step.courant=") + step});
+    expect_sound(name, step, {"model.step.courant=" + step});
 }
 
-INSTANTIATE_TEST_SUITE_P(Steps, HardCase,
-                         ::testing::Combine(::testing::ValuesIn(hard_cases()),
-                                            ::testing::Values("0.1", "0.2", "0.35", "0.5", "0.7", "0.8",
-                                                              "0.9", "0.95", "0.98")),
-                         [](const auto& of) {
-                             std::string name = std::get<0>(of.param) + "_at_" + std::get<1>(of.param);
-                             std::replace_if(
-                                 name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Steps, HardCase, ::testing::ValuesIn(grid()), [](const auto& of) {
+    std::string name = std::get<0>(of.param) + "_at_" + std::get<1>(of.param);
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+    return name;
+});
 
 // A block at rest for a million steps.
 TEST(HardCases, RestsForAMillionSteps) {

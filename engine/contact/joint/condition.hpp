@@ -19,7 +19,7 @@ inline void position_level(ContactRow& row, double gap, double motion, double re
     row.penetration = -(std::max(gap, -recovery) + motion);
 }
 
-/// "velocity", plastic impact with e = 0 (Moreau 1988, doi:10.1007/978-3-7091-2624-0_1): the gap of a row
+/// "velocity", plastic impact with e = 0 (Moreau 1988, CISM Courses and Lectures 302, 1-82): the gap of a row
 /// that the prediction would close in this step (look-ahead) closes no further,
 ///     P = -dt gap rate, where gap + dt gap rate < 0.
 /// That leaves open what was open at x_n, less than the motion of a step. From then on, as long as the row

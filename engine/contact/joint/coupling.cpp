@@ -38,7 +38,7 @@ void Coupling::reserve(std::size_t rows, std::size_t terms) {
     nodes_begin_.reserve(rows + 1);
     links_.reserve(terms);
     order_.reserve(rows);
-    seen_.reserve(rows);
+    breadth_first_.reserve(rows);
     groups_.reserve(rows);
     products_.reserve(12 * terms);
     share_.reserve(terms);
@@ -200,20 +200,20 @@ void Coupling::find_split() {
     std::erase_if(split_, [&](const Split& split) { return !is_split(split.node); });
 }
 
-/// Breadth first; on to what shares only a node that is split off when there is nothing nearer.
+/// On to what shares only a node that is split off when there is nothing nearer.
 void Coupling::sort_into_groups() {
-    const auto rows = static_cast<std::int32_t>(nodes_begin_.size()) - 1;
-    order_.clear();
-    groups_.clear();
-    seen_.assign(static_cast<std::size_t>(rows), 0);
     waiting_.clear();
-    const auto take = [this](std::int32_t row) {
-        if (seen_[static_cast<std::size_t>(row)]) return false;
-        seen_[static_cast<std::size_t>(row)] = 1;
-        order_.push_back(row);
-        return true;
+    const auto neighbours = [this](std::int32_t row, const auto& take) {
+        for (const std::int32_t node : nodes_of(row)) {
+            std::int32_t& sharing = sharing_[static_cast<std::size_t>(node)];
+            if (sharing == 0) for_links(node, [&](const Link& link) { take(link.place); });
+            if (sharing > 0) {
+                waiting_.push_back(head_[static_cast<std::size_t>(node)]);
+                sharing = -sharing;  // it waits once
+            }
+        }
     };
-    const auto take_waiting = [&] {
+    const auto take_waiting = [this](const auto& take) {
         while (!waiting_.empty()) {
             std::int32_t& l = waiting_.front();
             while (l >= 0) {
@@ -224,31 +224,18 @@ void Coupling::sort_into_groups() {
             waiting_.erase(waiting_.begin());
         }
     };
-    for (std::int32_t start = 0; start < rows; ++start) {
-        const auto begin = static_cast<std::int32_t>(order_.size());
-        if (!take(start)) continue;
-        for (auto at = static_cast<std::size_t>(begin); at < order_.size(); ++at) {
-            for (const std::int32_t node : nodes_of(order_[at])) {
-                std::int32_t& sharing = sharing_[static_cast<std::size_t>(node)];
-                if (sharing == 0) for_links(node, [&](const Link& link) { take(link.place); });
-                if (sharing > 0) {
-                    waiting_.push_back(head_[static_cast<std::size_t>(node)]);
-                    sharing = -sharing;  // it waits once
-                }
-            }
-            if (at + 1 == order_.size()) take_waiting();
-        }
-        groups_.push_back({begin, static_cast<std::int32_t>(order_.size())});
-    }
+    breadth_first_.sort(nodes_begin_.size() - 1, neighbours, take_waiting);
+    order_ = breadth_first_.order();
+    groups_ = breadth_first_.groups();
 }
 
 /// Makes two places for each node that is split off, one a direction, behind the last of its rows.
 void Coupling::insert_split() {
-    waited_ = order_;
+    const std::vector<std::int32_t>& sorted = breadth_first_.order();
     std::vector<std::int32_t>& place_of = waiting_;
-    place_of.resize(waited_.size());
-    for (std::size_t place = 0; place < waited_.size(); ++place)
-        place_of[static_cast<std::size_t>(waited_[place])] = static_cast<std::int32_t>(place);
+    place_of.resize(sorted.size());
+    for (std::size_t place = 0; place < sorted.size(); ++place)
+        place_of[static_cast<std::size_t>(sorted[place])] = static_cast<std::int32_t>(place);
     for (Split& split : split_)
         for_links(split.node, [&](const Link& link) {
             split.last = std::max(split.last, place_of[static_cast<std::size_t>(link.place)]);
@@ -261,7 +248,7 @@ void Coupling::insert_split() {
     for (Group& group : groups_) {
         const auto begin = static_cast<std::int32_t>(order_.size());
         for (std::int32_t place = group.begin; place < group.end; ++place) {
-            order_.push_back(waited_[static_cast<std::size_t>(place)]);
+            order_.push_back(sorted[static_cast<std::size_t>(place)]);
             for (; split != split_.end() && split->last == place; ++split) order_.insert(order_.end(), 2, -1);
         }
         group = {begin, static_cast<std::int32_t>(order_.size())};

@@ -5,15 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "contact/joint/breadth_first.hpp"
 #include "contact/row.hpp"
 #include "contact/solvers/profile_cholesky.hpp"
 
 namespace percuss {
 
 /// The matrix dt kick G M^-1 G^T of contact rows that couple through the nodes they share, by connected
-/// groups. Rows stand in breadth-first order from the first row of each group (Cuthill & McKee 1969, without
-/// sorting by degree), so that the profile is narrow whatever the order of pairs. Which products go where is
-/// worked out only when rows come, go or change their nodes.
+/// groups. Rows stand in breadth-first order. Which products go where is worked out only when rows come, go
+/// or change their nodes.
 ///
 /// Rows that share a node all couple with each other: a thousand nodes on one side would fill the matrix. A
 /// node of more than `most_sharing` rows is therefore split off: in each direction, with w = dt kick / m, its
@@ -24,9 +24,7 @@ namespace percuss {
 /// factors L D L^T in any order (Vanderbei 1995, doi:10.1137/0805005). Such a place stands for no row.
 class Coupling {
   public:
-    struct Group {
-        std::int32_t begin, end;  ///< places of its rows in the matrix
-    };
+    using Group = PlaceGroup;
 
     /// @param fixed nodes that never move, those of walls: all rows on a wall share its two, and do not
     /// couple by them.
@@ -87,17 +85,17 @@ class Coupling {
 
     std::vector<char> fixed_;  ///< per node
     bool splits_ = true;
-    std::vector<std::int32_t> sharing_;           ///< per node that is split off: its rows; 0: another
-    std::vector<Split> split_;                    ///< in the order of their places
-    std::vector<double> motion_;                  ///< per term of the chosen rows: of a unit force [1/mass]
-    std::vector<std::int32_t> waiting_, waited_;  ///< scratch: links of split nodes; rows in their order
+    std::vector<std::int32_t> sharing_;  ///< per node that is split off: its rows; 0: another
+    std::vector<Split> split_;           ///< in the order of their places
+    std::vector<double> motion_;         ///< per term of the chosen rows: of a unit force [1/mass]
+    std::vector<std::int32_t> waiting_;  ///< scratch: links of split nodes; places of rows
     std::vector<Motion> motions_;
     std::vector<std::int32_t> nodes_,
         nodes_begin_;                 ///< of the chosen rows when last restructured, back to back
     std::vector<std::int32_t> head_;  ///< per node: its newest link, -1 between calls
     std::vector<Link> links_;
+    BreadthFirst breadth_first_;
     std::vector<std::int32_t> order_;
-    std::vector<char> seen_;
     std::vector<Group> groups_;
     std::vector<Product> products_;
     /// Per term of the rows in the order of their places: its direction, and the motion that a unit force

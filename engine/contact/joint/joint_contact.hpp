@@ -1,16 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cassert>
 #include <span>
 #include <typeinfo>
 #include <vector>
 
-#include "contact/contact_method.hpp"
 #include "contact/joint/coupling.hpp"
-#include "contact/joint/row_builder.hpp"
+#include "contact/joint/row_contact.hpp"
 #include "contact/solvers/bounded.hpp"
-#include "contact/surface.hpp"
 
 namespace percuss {
 
@@ -21,104 +18,47 @@ namespace percuss {
 /// stays open there is no force. The answer does not depend on the order of pairs. At the rim of a hole,
 /// where one node belongs to several pairs and rows depend on each other, the rows conflict as equations but
 /// not as inequalities.
-class JointContact : public ContactMethod {
+class JointContact : public RowContact {
   public:
     JointContact(const Scene& scene, const Mesh& mesh) : JointContact(scene, mesh, nullptr) {}
 
-    void resolve(PredictedMotion& motion, RunStatistics& statistics) override;
-    [[nodiscard]] RowSpan rows(std::size_t pair) const override;
-    [[nodiscard]] double penetration(std::size_t pair, const Node*) const override {
-        return pairs_[pair].builder->deepest();
-    }
-    [[nodiscard]] int negative_forces(std::size_t) const override { return 0; }
     [[nodiscard]] std::unique_ptr<ContactMethod> copy() const override {
         assert(typeid(*this) == typeid(JointContact));  // a kind of it that has no copy() would be cut short
         return std::make_unique<JointContact>(*this);
     }
     void become(const ContactMethod& other) override { *this = dynamic_cast<const JointContact&>(other); }
-    void restart(const std::vector<std::vector<std::int32_t>>& active) override;
     void change(const std::vector<double>& friction, const ContactSolver& solver) override;
 
   protected:
     /// @param condition of all rows; null: each pair's own.
     JointContact(const Scene& scene, const Mesh& mesh, ConditionOf condition);
 
-    /// The problem begins with the rows that had force in the last step and those that the prediction closes.
-    virtual void choose_rows();
-    /// Adds the rows that the forces found so far would close too far. @returns whether there were any.
-    [[nodiscard]] virtual bool add_violated(const PredictedMotion& motion);
     /// Solves for the forces of the chosen rows and puts their impulses on the nodes.
-    virtual void solve(PredictedMotion& motion, ContactSolverStatistics& statistics);
+    void solve(PredictedMotion& motion, ContactSolverStatistics& statistics) override;
 
-    // What a choice and a solution are made of.
-    void empty_problem();
-    void put_in_problem(std::size_t row);  ///< rows in ascending order
+    // What a solution is made of.
     virtual void assemble(const PredictedMotion& motion);
     /// Contact forces for the present penetration_, from the present standing_ of the forces.
     virtual void solve_forces(ContactSolverStatistics& statistics);
     static void clear_impulses(const PredictedMotion& motion);
     void add_impulses(const PredictedMotion& motion);
     void add_impulse(const RowSpan& rows, const ContactRow& row, const PredictedMotion& motion);
-    /// By how much the forces found so far open a row within the step [length].
-    [[nodiscard]] virtual double opening(std::span<const RowTerm> terms, const PredictedMotion& motion) const;
-    /// Moves the nodes by what was found. @returns the largest change of a velocity.
-    virtual double correct(PredictedMotion& motion);
-    /// Whether contact moves nodes when nothing can touch, too.
-    [[nodiscard]] virtual bool solves_without_rows() const { return false; }
-    [[nodiscard]] char& expected(std::size_t row) { return expected_[row]; }  ///< BoundedSolver's standing
-    /// The largest of the predicted penetrations in the problem; 0 when there is none [length].
-    [[nodiscard]] double deepest_penetration() const;
+    [[nodiscard]] double opening(std::span<const RowTerm> terms,
+                                 const PredictedMotion& motion) const override;
+    [[nodiscard]] double deepest_penetration() const override;
+    double correct(PredictedMotion& motion) override;
     [[nodiscard]] bool has_row(std::size_t place) const { return coupling_.has_row(place); }
     [[nodiscard]] std::size_t row_index(std::size_t place) const;  ///< place in the matrix, that has one
-    [[nodiscard]] std::size_t rows_begin(std::size_t pair) const { return pairs_[pair].rows_begin; }
-    [[nodiscard]] std::size_t rows_end(std::size_t pair) const { return pairs_[pair].rows_end; }
-    [[nodiscard]] RowBuilder::Size size_of(std::size_t pair) const { return pairs_[pair].builder->size(); }
 
-    double reach_ = 0;                  ///< rows are found for as much more motion as this [length]
-    double longest_step_ = 0;           ///< rows are found as if the step could be as long as this [time]
-    ContactRows rows_;                  ///< all that could close in the step, pair by pair
-    std::vector<std::int32_t> chosen_;  ///< rows in the problem, ascending
-    Coupling coupling_;                 ///< of the chosen rows
-    std::vector<double> penetration_;   ///< per place in the matrix: what the forces have to prevent
+    Coupling coupling_;                ///< of the chosen rows
+    std::vector<double> penetration_;  ///< per place in the matrix: what the forces have to prevent
 
   private:
-    /// A surface that pairs share, and the velocities of its nodes in this step.
-    struct Moving {
-        std::vector<std::int32_t> nodes;
-        std::array<double, 2> lowest, highest;  ///< [velocity]
-    };
-    /// Where a row stood in the last step.
-    enum class Last : char { not_in_problem, open, pressed };
-    struct Pair {
-        AnyRowBuilder builder;
-        ConditionOf condition;
-        std::size_t master, slave;      ///< among the surfaces
-        std::vector<Last> last = {};    ///< per key
-        bool remembers = false;         ///< some row was in the last step
-        std::vector<double> held = {};  ///< at the velocity level, per key: StepMotion::held
-        std::size_t rows_begin = 0, rows_end = 0;
-        double left_open = 0;                                      ///< the widest of the gaps held [length]
-        double relative = 0, master_motion = 0, slave_motion = 0;  ///< bounds within this step [length]
-    };
-
-    std::size_t add_surface(const Surface& surface);
-    void find(const PredictedMotion& motion);
-    void remember();
-    void hold_gaps(Pair& pair);
-
-    double recovery_speed_;
-    std::vector<Moving> surfaces_;
-    std::vector<Pair> pairs_;
-    std::vector<char> in_problem_;  ///< per row
-    std::vector<char> expected_;    ///< per row in the problem: where its force will stand
-    std::vector<char> listed_;      ///< per node of the mesh: among the touched ones of this step
+    std::vector<char> listed_;  ///< per node of the mesh: among the touched ones of this step
     AnyNonnegativeSolver solver_;
     ForceSolver solver_kind_;
-    std::size_t rows_room_ = 0;      ///< rows to make room for
-    std::vector<double> next_held_;  ///< per key of a pair
-    std::vector<double> force_;      ///< per place in the matrix
+    std::vector<double> force_;  ///< per place in the matrix
     std::vector<char> standing_;
-    double largest_correction_ = 0;  ///< change of velocity by contact in this step [velocity]
 };
 
 }  // namespace percuss

@@ -109,12 +109,13 @@ AnyRowBuilder make_rows(const Scene& scene, const Mesh& mesh, const ContactPair&
             NearSearch(surfaces.master, surfaces.slave, {.by_facing = true, .self = true})));
     const auto search = [&](bool of_master, std::int32_t first_key, double slack) {
         const std::int32_t first_owner = of_master ? 0 : masters;
-        const bool both_ways = pair.scheme != RowScheme::node_to_side;
+        // Whole outlines have corners that stand on each other.
+        const bool by_facing = pair.by_bodies || pair.scheme != RowScheme::node_to_side;
         NearRole role{of_master,
                       first_owner,
                       first_key + first_owner,
                       slack,
-                      both_ways,
+                      by_facing,
                       overlapping(scene, mesh, of_master ? surfaces.master : surfaces.slave,
                                   of_master ? pair.slave : pair.master)};
         return of_master ? NearSearch(surfaces.master, surfaces.slave, std::move(role))

@@ -32,6 +32,11 @@ class MasslessLayer {
         return index_of_[static_cast<std::size_t>(node)];
     }
     [[nodiscard]] std::int32_t unknowns() const { return unknowns_; }
+    /// The unknown of a node of the mesh in direction d, -1: it has mass, or is held.
+    [[nodiscard]] std::int32_t unknown_of(std::int32_t node, std::size_t d) const {
+        const std::int32_t at = index_of(node);
+        return at < 0 ? -1 : nodes_[static_cast<std::size_t>(at)].unknown[d];
+    }
     /// Nodes that carry the mass of one of nodes(), in equal parts.
     [[nodiscard]] std::span<const std::int32_t> carriers_of(const LayerNode& node) const {
         return std::span(carriers_).subspan(
@@ -47,6 +52,7 @@ class MasslessLayer {
         Cell corners;
         ElementKind kind;
         ElasticConstants material;
+        double area;  ///< undeformed [length^2]
         CellStiffness stiffness;
     };
     [[nodiscard]] const std::vector<LayerCell>& cells() const { return cells_; }

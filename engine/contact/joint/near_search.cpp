@@ -130,19 +130,21 @@ void NearSearch::find(const StepMotion& motion, ContactRows& rows) {
         Memory& memory = memory_[static_cast<std::size_t>(m)];
         const std::int32_t node = master_.nodes[static_cast<std::size_t>(m)];
         const Point x = at_start(motion.nodes, node, motion.dt);
-        if (memory.closest >= 0) {
+        if (memory.closest >= 0 && (memory.face < 0 || memory.face == memory.closest)) {
             const SideView v = view(motion, memory.closest, x);
             const double clear =
                 role_.by_facing ? std::max(2 * motion.range, end_tolerance * mean_side_) : 2 * motion.range;
             if (alone_on(v, memory) && std::min(v.a, 1 - v.a) * v.length > clear) {
                 memory.allowance.see(v.gap, 2 * motion.range);
                 memory.near = add_row(motion, m, {v, memory.closest}, memory, rows);
+                memory.face = memory.near ? memory.closest : -1;
                 continue;
             }
         }
         const Closest closest = look(motion, m, x);
         if (!(closest.distance < infinity)) {  // faces nothing of its own surface, or the state diverged
             memory.near = false;
+            memory.face = -1;
             continue;
         }
         const Face face = face_of(motion, m, x, closest);
@@ -151,6 +153,7 @@ void NearSearch::find(const StepMotion& motion, ContactRows& rows) {
         const bool one = add_row(motion, m, face, memory, rows);
         const bool other = add_row(motion, m, across, memory, rows);
         memory.near = one || other;
+        memory.face = memory.near ? face.side : -1;
     }
 }
 
@@ -174,6 +177,7 @@ void NearSearch::wake(const StepMotion& motion) {
             memory.free_until = travelled_;
         } else {
             memory.near = false;
+            memory.face = -1;
             wake_at_ = std::min(wake_at_, memory.free_until);
         }
     }
@@ -278,13 +282,15 @@ NearSearch::Corner NearSearch::corner(const StepMotion& motion, std::int32_t fir
                 c = at_start(motion.nodes, to.j, motion.dt);
     const double sx = b[0] - a[0], sy = b[1] - a[1], tx = c[0] - b[0], ty = c[1] - b[1];
     const double turn = sx * ty - sy * tx, along = sx * tx + sy * ty;
-    if (turn < -straight * along) return Corner::valley;
+    if (turn < -straight * along) return along < 0 || turn < -along ? Corner::steep_valley : Corner::valley;
     return turn > along ? Corner::sharp : Corner::flat;
 }
 
 /// The face that keeps the node out, if it is in reach of one.
 NearSearch::Face NearSearch::face_of(const StepMotion& motion, std::int32_t master, const Point& x,
                                      const Closest& closest) const {
+    if (const auto face = kept_face(motion, x, closest, memory_[static_cast<std::size_t>(master)]))
+        return *face;
     if (role_.by_facing)
         if (const auto face = opposed_face(motion, master, x, closest)) return *face;
     const double past = past_end(closest.view);
@@ -299,6 +305,24 @@ NearSearch::Face NearSearch::face_of(const StepMotion& motion, std::int32_t mast
     const SideView other = view(motion, around, x);
     const Face face = other.gap > closest.view.gap ? Face{other, around} : Face{closest.view, closest.side};
     return {face.view, past_end(face.view) > reach ? -1 : face.side};
+}
+
+/// The face that kept a node out in the last step, where springs have let the node so deep in beside a sharp
+/// corner that the side around it is closer now. Were it to change over, what the spring holds would be lost,
+/// and found again where the node comes back.
+std::optional<NearSearch::Face> NearSearch::kept_face(const StepMotion& motion, const Point& x,
+                                                      const Closest& closest, const Memory& memory) const {
+    if (memory.face < 0 || closest.side == memory.face) return std::nullopt;
+    const Side& side = slave_.sides[static_cast<std::size_t>(closest.side)];
+    const bool before = side.previous == memory.face;
+    if (!before && side.next != memory.face) return std::nullopt;
+    const double reach = end_tolerance * mean_side_;
+    const SideView v = view(motion, memory.face, x);
+    if (past_end(v) > reach || -v.gap <= std::max(reach, 2 * motion.range)) return std::nullopt;
+    const Corner corner_of =
+        corner(motion, before ? memory.face : closest.side, before ? closest.side : memory.face);
+    if (corner_of != Corner::sharp) return std::nullopt;
+    return Face{v, memory.face};
 }
 
 /// Unit normals of the node's own two sides; zero where there is none.
@@ -343,16 +367,17 @@ std::optional<NearSearch::Face> NearSearch::opposed_face(const StepMotion& motio
 }
 
 /// A node at the bottom of a valley between two sides is kept out by both: were it by the closer one only, it
-/// would leave each of them in turn through the other.
+/// would leave each of them in turn through the other. Springs let it: a second one in a shallow valley would
+/// come and go with the node inside both sides, and bring energy along.
 NearSearch::Face NearSearch::across_valley(const StepMotion& motion, std::int32_t master, const Point& x,
                                            const Face& face) const {
     const SideView& v = face.view;
     const bool before = v.a < 0.5;
     if (face.side < 0 || (before ? v.a : 1 - v.a) * v.length > 2 * motion.range) return {{}, -1};
     const std::int32_t around = beside(face.side, before, master);
-    if (around < 0 ||
-        corner(motion, before ? around : face.side, before ? face.side : around) != Corner::valley)
-        return {{}, -1};
+    if (around < 0) return {{}, -1};
+    const Corner between = corner(motion, before ? around : face.side, before ? face.side : around);
+    if (between != Corner::steep_valley && (motion.springs() || between != Corner::valley)) return {{}, -1};
     return {view(motion, around, x), around};
 }
 

@@ -71,6 +71,7 @@ class NearSearch {
     struct Memory {
         std::int32_t middle = -1;   ///< looked at together with its neighbours
         std::int32_t closest = -1;  ///< closest side when it was last looked at
+        std::int32_t face = -1;     ///< the side that was within reach in the last step, -1: none
         bool near = false;          ///< was within reach in the last step
         double others_from = 0;     ///< distance of all but the middle and its neighbours + travelled_ then
         double free_until = 0;      ///< value of travelled_ before which the node cannot touch
@@ -87,7 +88,7 @@ class NearSearch {
     [[nodiscard]] bool alone_on(const SideView& view, const Memory& memory) const;
     [[nodiscard]] double sight(const StepMotion& motion) const;
     [[nodiscard]] Closest look(const StepMotion& motion, std::int32_t master, const Point& x);
-    enum class Corner { sharp, flat, valley };
+    enum class Corner { sharp, flat, valley, steep_valley };  // over 45 degrees: sharp, steep
     struct Face {
         SideView view;
         std::int32_t side;  ///< -1: none
@@ -105,6 +106,8 @@ class NearSearch {
     [[nodiscard]] Corner corner(const StepMotion& motion, std::int32_t first, std::int32_t second) const;
     [[nodiscard]] Face face_of(const StepMotion& motion, std::int32_t master, const Point& x,
                                const Closest& closest) const;
+    [[nodiscard]] std::optional<Face> kept_face(const StepMotion& motion, const Point& x,
+                                                const Closest& closest, const Memory& memory) const;
     [[nodiscard]] std::optional<Face> opposed_face(const StepMotion& motion, std::int32_t master,
                                                    const Point& x, const Closest& closest) const;
     [[nodiscard]] bool opposes(const StepMotion& motion, std::int32_t master, const SideView& face) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <utility>
 
 #include "contact/joint/near_search.hpp"
@@ -26,7 +27,7 @@ class NodeToSideRows final : public RowBuilder {
     }
     [[nodiscard]] Size size() const override {
         const std::size_t nodes = search_.master().nodes.size();
-        return {nodes, nodes, 3 * nodes};
+        return {static_cast<std::size_t>(search_.first_owner()) + nodes, nodes, 3 * nodes};
     }
 
   private:

@@ -11,10 +11,11 @@ namespace percuss {
 /// "penalty": springs against penetration, on the rows of the joint problem,
 ///     C = k max(0, -gap at x_n),  k = f K A^2 / V (penalty_stiffness.hpp),
 /// f 0.1 by default: the usual explicit contact (Hallquist, Goudreau & Benson 1985,
-/// doi:10.1016/0045-7825(85)90030-1). No problem is solved; a row costs some 20 flops. Surfaces go into each
-/// other as far as it takes; a node that is deeper than half a side is let go, as everywhere. Conserves linear momentum exactly and angular momentum at x_n; energy, with that
-/// of the springs, as the leapfrog conserves that of the elements: nothing is lost at an impact, contact
-/// nodes swing instead. Fails the patch where faces do not match, as far as springs differ.
+/// Comput. Methods Appl. Mech. Engrg. 51, 107-137). No problem is solved; a row costs some 20 flops. Surfaces
+/// go into each other as far as it takes; a node that is deeper than half a side is let go, as everywhere.
+/// Conserves linear momentum exactly and angular momentum at x_n; energy, with that of the springs, as the
+/// leapfrog conserves that of the elements: nothing is lost at an impact, contact nodes swing instead. Fails
+/// the patch where faces do not match, as far as springs differ.
 ///
 /// Springs raise the highest frequency of the mesh. For any forces k_r along rows g_r
 ///     w^2 <= max over nodes n of 1/m_n sum_r k_r |g_rn| sum_m |g_rm|

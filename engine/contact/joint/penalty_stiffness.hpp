@@ -11,9 +11,9 @@ namespace percuss {
 
 /// The usual scale of contact springs: a side of a solid element has K A^2 / V, K its bulk modulus, A the
 /// area of the side, V the volume of the element (Hallquist, Goudreau & Benson 1985,
-/// doi:10.1016/0045-7825(85)90030-1; LS-DYNA Theory Manual, contact-impact algorithm). Here for the
-/// undeformed mesh and per radian or unit thickness, like all forces. A node has the mean of the sides beside
-/// it.
+/// Comput. Methods Appl. Mech. Engrg. 51, 107-137; LS-DYNA Theory Manual, contact-impact algorithm). Here for
+/// the undeformed mesh and per radian or unit thickness, like all forces. A node has the mean of the sides
+/// beside it.
 class PenaltyStiffness {
   public:
     PenaltyStiffness(const Scene& scene, const Mesh& mesh);

@@ -21,6 +21,9 @@ struct StepMotion {
     /// another level [length].
     const double* held = nullptr;
 
+    /// Whether what rows ask follows from where the nodes are, not from where they go.
+    [[nodiscard]] bool springs() const { return condition == &depth_level; }
+
     /// What a row of a gap, positive when open, and of its rate has to keep. @pre row.key is set
     void set_condition(ContactRow& row, double gap, double rate) const {
         const double at = held ? held[row.key] : 0;

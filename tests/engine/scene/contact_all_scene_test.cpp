@@ -86,7 +86,12 @@ TEST(ContactOfAll, FaultsAreToldWithTheirCure) {
     EXPECT_EQ(
         faults_of(with("[[contact]]\nname = \"fold\"\nbodies = [\"rod\", \"rod\"]\nscheme = "
                        "\"node-to-side\"\n")),
-        "scene.toml:40:10: a body is kept out of itself by the scheme \"symmetric\"; leave 'scheme' out");
+        "scene.toml:40:10: a body, 'rod', is kept out of itself by the scheme \"symmetric\"; leave 'scheme' "
+        "out, or name the pairs that it is for");
+    EXPECT_THAT(
+        faults_of(all_of("scheme = \"segment-to-segment\"\n")),
+        ::testing::HasSubstr("scene.toml:40:10: a body, 'hammer', is kept out of itself by the scheme"));
+    EXPECT_EQ(faults_of(all_of("scheme = \"symmetric\"\n")), "");
     EXPECT_EQ(faults_of(with("[[contact]]\nname = \"fold\"\nbodies = [\"rod\", \"rod\"]\n")), "");
 }
 

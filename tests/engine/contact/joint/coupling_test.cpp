@@ -186,6 +186,27 @@ TEST(Coupling, NodesOfManyRowsAreSplitOffAndTheForcesStay) {
     EXPECT_GT(sticking, 10);
 }
 
+// Held nodes on a side that is free: without the side nothing would move their rows.
+TEST(Coupling, NodesThatAloneMoveARowStayWithIt) {
+    constexpr std::int32_t count = 2 * Coupling::most_sharing;
+    for (const bool held : {false, true}) {
+        std::vector<NodeRow> rows(count);
+        std::vector<std::int32_t> all(count);
+        std::iota(all.begin(), all.end(), 0);
+        std::vector<double> inverse_mass(2 * (count + 2), 1);
+        for (std::int32_t k = 0; k < count; ++k) {
+            const double a = (k + 0.5) / count;
+            rows[static_cast<std::size_t>(k)].node = {2 + k, 0, 1};
+            rows[static_cast<std::size_t>(k)].share = {1, a - 1, -a};
+            rows[static_cast<std::size_t>(k)].normal = {0, 1};
+            if (held) inverse_mass[static_cast<std::size_t>(2 * (2 + k) + 1)] = 0;
+        }
+        Coupling coupling(count + 2);
+        coupling.assemble(common_form(rows).all(), all, inverse_mass.data(), 1);
+        EXPECT_EQ(coupling.places(), rows.size() + (held ? 0 : 4));
+    }
+}
+
 // All rows on one wall share its two nodes.
 TEST(Coupling, NodesOfWallsJoinNoGroups) {
     std::vector<NodeRow> rows(2);

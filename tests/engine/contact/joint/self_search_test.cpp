@@ -79,6 +79,24 @@ TEST(SelfSearch, HoldsANodeThatIsInByLessThanItMoved) {
     EXPECT_TRUE(rows_of(u(-0.3)).empty()) << "did not come there through the face";
 }
 
+// As springs let it.
+TEST(SelfSearch, HoldsANodeThatTouchedHoweverDeepItIsByNow) {
+    std::vector<Node> nodes;
+    const Surface surface = append_chain(nodes, u(0.005), true);
+    NearSearch search(surface, surface, {.by_facing = true, .self = true});
+    ContactRows touching, deep;
+    search.find({nodes.data(), 1, 0.02, 1}, touching);
+    search.advance(0.06, 0.06);
+    const auto closed = u(-0.05);
+    ASSERT_EQ(closed.size(), nodes.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k].x[0] = closed[k][0];
+    search.find({nodes.data(), 1, 1e-3, 1}, deep);
+    EXPECT_GE(touching.size(), 12U);
+    EXPECT_GE(deep.size(), 12U);
+    for (const ContactRow& row : deep) EXPECT_NEAR(row.penetration, 0.05, 1e-12);
+    EXPECT_TRUE(rows_of(closed, 1e-3).empty()) << "which did not come there through the face";
+}
+
 // A fold that closes step by step: rows appear in the step that could close it, and name the same sides as a
 // search that begins there.
 TEST(SelfSearch, RemembersWhatANewSearchWouldFind) {
@@ -112,6 +130,47 @@ TEST(SelfSearch, RemembersWhatANewSearchWouldFind) {
     }
     EXPECT_GT(found, 0);
     EXPECT_LT(found, 6) << "it meets in the end only";
+}
+
+// Two prongs that hang over a foot pass by: a node that has seen the first sees the second, too, which was
+// out of its sight at first.
+TEST(SelfSearch, SeesWhatComesAfterWhatItHasSeen) {
+    std::vector<Node> nodes;
+    const auto points = outline({{0, 0},
+                                 {30, 0},
+                                 {30, 1},
+                                 {1, 1},
+                                 {1, 9},
+                                 {5, 9},
+                                 {5, 1.1},
+                                 {6, 1.1},
+                                 {6, 9},
+                                 {9, 9},
+                                 {9, 1.1},
+                                 {10, 1.1},
+                                 {10, 9},
+                                 {13, 9},
+                                 {13, 12},
+                                 {0, 12}});
+    const Surface surface = append_chain(nodes, points, true);
+    NearSearch search(surface, surface, {.by_facing = true, .self = true});
+    const double speed = 0.053, range = 2 * speed;
+    for (int step = 0; step < 90; ++step) {
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            const bool hangs = points[k][0] > 4 && points[k][0] < 11 && points[k][1] > 1 && points[k][1] < 9;
+            nodes[k].v[0] = hangs ? speed * (9 - points[k][1]) / 7.9 : 0;
+            nodes[k].x[0] += nodes[k].v[0];
+        }
+        ContactRows rows, anew;
+        search.find({nodes.data(), 1, range, 1}, rows);
+        search.advance(range, speed);
+        NearSearch(surface, surface, {.by_facing = true, .self = true})
+            .find({nodes.data(), 1, range, 1}, anew);
+        const auto a = node_rows(rows.all()), b = node_rows(anew.all());
+        ASSERT_GE(b.size(), 4U) << "two corners, and the nodes of the foot below";
+        ASSERT_EQ(a.size(), b.size()) << step;
+        for (std::size_t k = 0; k < a.size(); ++k) EXPECT_EQ(a[k].side, b[k].side) << step;
+    }
 }
 
 }  // namespace
