@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -11,8 +10,8 @@
 #include "record/machine.hpp"
 #include "report.hpp"
 #include "study/executor.hpp"
+#include "study/run_cases.hpp"
 #include "study/study_page.hpp"
-#include "study/study_progress.hpp"
 #include "study/study_table.hpp"
 
 namespace percuss::app {
@@ -24,13 +23,11 @@ struct StudyOptions {
     StudyRequest request;
     std::string out, executor = "local";
     std::size_t jobs = 0;
-    bool list = false, force = false, fresh = false;
+    bool list = false, force = false, again = false;
 };
 
 StudyFolder folder_of(const StudyOptions& options) {
-    return StudyFolder(options.out.empty()
-                           ? fs::path("out") / (fs::path(options.request.file).stem().string() + "-study")
-                           : fs::path(options.out));
+    return options.out.empty() ? usual_study_folder(options.request.file) : StudyFolder(options.out);
 }
 
 void print_cases(const Study& study, const StudyFolder& folder) {
@@ -40,62 +37,6 @@ void print_cases(const Study& study, const StudyFolder& folder) {
                    : read_case_result(folder.result(each.key)) ? "  (there already)"
                                                                : "");
     fmt::print("{} cases into {}\n", study.cases.size(), folder.path().string());
-}
-
-/// A result that is there and is all that was asked for.
-bool usable(const Study& study, const std::optional<CaseResult>& result) {
-    return result && (result->state != CaseState::finished || study.repeat == 0 ||
-                      result->seconds.size() >= static_cast<std::size_t>(study.repeat));
-}
-
-/// What the cases came to so far; failed where there is nothing.
-std::vector<CaseResult> collect(const Study& study, const StudyFolder& folder,
-                                const std::map<std::string, std::string>& failures) {
-    std::vector<CaseResult> results;
-    for (const StudyCase& each : study.cases) {
-        CaseResult result;
-        if (!each.scene) {
-            result.state = CaseState::refused;
-            result.message = each.fault;
-        } else if (auto found = read_case_result(folder.result(each.key))) {
-            result = std::move(*found);
-        } else if (const auto failure = failures.find(each.key); failure != failures.end()) {
-            result.message = failure->second;
-        }
-        results.push_back(std::move(result));
-    }
-    return results;
-}
-
-/// Runs what is not there yet. @returns false when it was interrupted.
-bool run_missing(const StudyOptions& options, const Study& study, const StudyFolder& folder,
-                 std::map<std::string, std::string>& failures) {
-    std::vector<std::string> keys;
-    std::map<std::string, std::string> labels;
-    std::set<std::string> distinct;
-    for (const StudyCase& each : study.cases) {
-        if (!each.scene || !distinct.insert(each.key).second) continue;
-        if (!options.fresh && usable(study, read_case_result(folder.result(each.key)))) continue;
-        keys.push_back(each.key);
-        labels[each.key] = each.label;
-    }
-    StudyProgress progress(study.cases.size(), study.cases.size() - keys.size());
-    bool checked = false;
-    const auto listen = [&](const ExecutorNews& news) {
-        if (!news.failure.empty()) failures[news.ended] = news.failure;
-        std::string trouble = news.failure;
-        if (!news.ended.empty() && news.failure.empty())
-            if (const auto result = read_case_result(folder.result(news.ended))) {
-                if (result->state != CaseState::finished) trouble = app::trouble(*result);
-                // A misspelt quantity is better told now than after all cases.
-                if (result->state == CaseState::finished && !std::exchange(checked, true))
-                    check_summary_keys(study, *result);
-            }
-        progress.show(news.ended.empty() ? "" : labels[news.ended], trouble, news.running);
-    };
-    if (keys.empty()) return true;
-    return options.executor == "slurm" ? run_by_slurm(folder, keys, options.jobs, listen)
-                                       : run_locally(folder, keys, options.jobs, listen);
 }
 
 std::string describe_executor(const StudyOptions& options) {
@@ -149,17 +90,15 @@ int run_study(const StudyOptions& options) {
         return exit_status::ok;
     }
     folder.check(options.force);
-    folder.write_plan(study);
-    std::map<std::string, std::string> failures;
-    if (!run_missing(options, study, folder, failures)) {
+    const auto results = run_cases(study, folder, {options.executor == "slurm", options.jobs, options.again});
+    if (!results) {
         fmt::print(stderr, "percuss: interrupted; the same command goes on with what is missing\n");
         return exit_status::interrupted;
     }
-    const std::vector<CaseResult> results = collect(study, folder, failures);
-    report(options, study, folder, results);
+    report(options, study, folder, *results);
     bool all = true;
-    for (std::size_t i = 0; i < results.size(); ++i)
-        if (const std::string what = trouble(results[i]); !what.empty()) {
+    for (std::size_t i = 0; i < results->size(); ++i)
+        if (const std::string what = trouble((*results)[i]); !what.empty()) {
             all = false;
             fmt::print(stderr, "percuss: {}: {}\n", study.cases[i].label, what);
         }
@@ -229,7 +168,7 @@ void add_study(CLI::App& app, Job& job) {
         ->type_name("local|slurm")
         ->check(CLI::IsMember({"local", "slurm"}));
     command.add_flag("--list", options->list, "only list the cases");
-    command.add_flag("--again", options->fresh, "run all cases, those that are there too");
+    command.add_flag("--again", options->again, "run all cases, those that are there too");
     command.add_flag("--force", options->force, "write into a directory that holds something else");
     command.callback([&job, options] { job = [options] { return run_study(*options); }; });
 }

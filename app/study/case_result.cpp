@@ -53,8 +53,9 @@ void write_case_result(const CaseResult& result, const std::filesystem::path& fi
 }
 
 std::optional<CaseResult> read_case_result(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
     std::ifstream in(file, std::ios::binary);
-    if (!in) return std::nullopt;
     try {
         const Json json = Json::parse(in);
         CaseResult result;

@@ -104,14 +104,24 @@ std::vector<Combination> combine(const std::vector<Variation>& axes) {
             }
         all = std::move(longer);
     }
+    const auto takes_away = [](const std::string& key) {
+        return key == "scheme" || key == "contact_solver.scheme" || key.ends_with(".element");
+    };
     for (Combination& one : all)
-        for (const bool methods : {true, false})
+        for (const bool takers : {true, false})
             for (std::size_t a = 0; a < axes.size(); ++a) {
-                if ((axes[a].axis.kind == AxisKind::method) != methods) continue;
+                if (takes_away(axes[a].axis.key) != takers) continue;
                 const auto& settings = axes[a].values[one.at[a]].overrides;
                 one.overrides.insert(one.overrides.end(), settings.begin(), settings.end());
             }
     return all;
+}
+
+bool is_set(const StudyAxis& axis, const std::vector<std::string>& overrides) {
+    return std::any_of(overrides.begin(), overrides.end(), [&](const std::string& text) {
+        return text.starts_with(axis.key + "=") ||
+               (axis.key.starts_with("model.step.") && text.starts_with("model.step."));
+    });
 }
 
 StudyAxis parse_axis(const std::string& text, const std::string& option) {

@@ -27,7 +27,7 @@ struct Variation {
 /// One case of a grid.
 struct Combination {
     std::vector<std::size_t> at;  ///< a place in Variation::values for each axis
-    /// Those of methods first: a scheme or an element takes away what the scene says for others.
+    /// Schemes and elements first: they take away what the scene says for others.
     std::vector<std::string> overrides;
 };
 
@@ -41,6 +41,10 @@ struct Combination {
 /// "KEY=1,2,3" as an axis; commas in brackets and quotes do not part. @param option how messages call it.
 /// @throws UsageError.
 [[nodiscard]] StudyAxis parse_axis(const std::string& text, const std::string& option);
+
+/// Whether overrides set the key of an axis, or another key for the step where it is of steps: then there is
+/// nothing to vary.
+[[nodiscard]] bool is_set(const StudyAxis& axis, const std::vector<std::string>& overrides);
 
 /// Of those `choices`, the one of that name. @throws UsageError naming the nearest, or why the scene cannot
 /// take it.

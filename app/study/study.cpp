@@ -28,6 +28,12 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
+/// What both histories and summary.json have by one name: there it is the value at the end.
+bool is_number_too(const std::string& column) {
+    return column.starts_with("energy.") ||
+           (column.starts_with("body.") && column.find(".velocity.") != std::string::npos);
+}
+
 std::vector<StudyAxis> axes_of(const Scene& scene, const StudyRequest& request) {
     std::vector<StudyAxis> axes = scene.study ? scene.study->vary : std::vector<StudyAxis>{};
     for (const std::string& text : request.vary) {
@@ -39,6 +45,8 @@ std::vector<StudyAxis> axes_of(const Scene& scene, const StudyRequest& request) 
         else
             same->values = std::move(asked.values);
     }
+    // What is set for all cases is not varied.
+    std::erase_if(axes, [&](const StudyAxis& axis) { return is_set(axis, request.overrides); });
     if (axes.empty())
         throw UsageError(
             fmt::format("{}: nothing is varied; add --vary KEY=VALUE,VALUE, e.g. --vary "
@@ -51,7 +59,10 @@ StudyQuantity parse_quantity(const std::string& text, const Scene& scene) {
     const auto equals = text.find('=');
     StudyQuantity quantity;
     quantity.of = quantity.name = text.substr(0, equals);
-    if (contains(column_names(scene), quantity.of)) quantity.name = column_title(quantity.of);
+    if (is_number_too(quantity.of))
+        quantity.name = "final " + quantity.of;
+    else if (contains(column_names(scene), quantity.of))
+        quantity.name = column_title(quantity.of);
     if (equals == std::string::npos) return quantity;
     double exact = 0;
     const char* end = text.data() + text.size();
@@ -160,7 +171,7 @@ void check_quantities(const Study& study) {
 }  // namespace
 
 bool is_history(const StudyQuantity& quantity, const Study& study) {
-    return contains(study.columns, quantity.of);
+    return contains(study.columns, quantity.of) && (quantity.history || !is_number_too(quantity.of));
 }
 
 Study make_study(const StudyRequest& request) {
@@ -170,7 +181,8 @@ Study make_study(const StudyRequest& request) {
     study.quantities = quantities_of(study.scene, request);
     const std::vector<std::string> columns = column_names(study.scene);
     for (const StudyQuantity& quantity : study.quantities)
-        if (contains(columns, quantity.of) && !contains(study.columns, quantity.of))
+        if (contains(columns, quantity.of) && !contains(study.columns, quantity.of) &&
+            (quantity.history || !is_number_too(quantity.of)))
             study.columns.push_back(quantity.of);
     check_quantities(study);
     for (const StudyAxis& axis : axes_of(study.scene, request))

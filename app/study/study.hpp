@@ -45,7 +45,8 @@ struct StudyRequest {
 /// for a quantity that is no history column of the scene although it looks like one.
 [[nodiscard]] Study make_study(const StudyRequest& request);
 
-/// Whether the quantity is a history, else it is a number of summary.json.
+/// Whether the quantity is a history, else it is a number of summary.json. Where both have the name, it is
+/// the number unless the quantity says otherwise.
 [[nodiscard]] bool is_history(const StudyQuantity& quantity, const Study& study);
 
 /// Where a study keeps what it needs to go on, and what it leaves.

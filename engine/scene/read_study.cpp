@@ -66,6 +66,7 @@ void read_quantity(TableReader& reader, const Scene& scene, StudySpec& study) {
     quantity.exact = reader.number("exact", any_number);
     quantity.scale = reader.number("scale", positive);
     quantity.tolerance = reader.number("tolerance", positive).value_or(0.01);
+    quantity.history = reader.flag("history").value_or(false);
     if (quantity.exact == 0.0 && !quantity.scale)
         reader.error("exact", "no error is relative to 0; add 'scale', the number that errors are parts of");
     reader.finish();
@@ -101,6 +102,31 @@ void read_study(TableReader& root, Scene& scene) {
     for (auto& quantity : reader->tables("quantity")) read_quantity(quantity, scene, study);
     reader->finish();
     scene.study = std::move(study);
+}
+
+void read_accuracy(TableReader& root, Scene& scene) {
+    auto reader = root.table("accuracy");
+    if (!reader) return;
+    constexpr const char* example = "target = { quantity = \"contact.NAME.peak_force\", tolerance = 0.01 }";
+    AccuracyTarget target;
+    target.place = reader->place();
+    reader->need("target", example);
+    if (auto inner = reader->table("target")) {
+        inner->need("quantity", "quantity = \"contact.NAME.peak_force\"");
+        target.quantity = inner->text("quantity").value_or("");
+        if (!target.quantity.empty()) check_column(*inner, "quantity", scene, target.quantity);
+        target.tolerance = inner->number("tolerance", positive).value_or(0.01);
+        inner->finish();
+    }
+    const auto refines = [](const StudyAxis& axis) {
+        return axis.kind == AxisKind::step || axis.kind == AxisKind::mesh;
+    };
+    if (!scene.study || std::none_of(scene.study->vary.begin(), scene.study->vary.end(), refines))
+        reader->error(
+            "[accuracy] has no steps or meshes to choose from; add a [[study.vary]] with key = "
+            "\"model.step.courant\" and values = [0.9, 0.5, 0.25]");
+    reader->finish();
+    scene.accuracy = std::move(target);
 }
 
 }  // namespace percuss

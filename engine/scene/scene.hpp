@@ -364,6 +364,7 @@ struct Scene {
     std::vector<Expectation> expect;
     std::optional<Lesson> lesson;
     std::optional<StudySpec> study;
+    std::optional<AccuracyTarget> accuracy;
 
     std::string file;                    ///< path as given, for messages
     std::string text;                    ///< the file's text, as read

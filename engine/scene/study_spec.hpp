@@ -33,6 +33,7 @@ struct StudyQuantity {
     std::optional<double> exact;  ///< the true number, where it is known; histories have [[exact]]
     std::optional<double> scale;  ///< what errors are relative to; absent: the reference itself
     double tolerance = 0.01;      ///< relative error within which the cheapest case is looked for
+    bool history = false;         ///< the history, where a number of summary.json has the same name
     Place place;
     bool operator==(const StudyQuantity&) const = default;
 };
@@ -43,6 +44,14 @@ struct StudySpec {
     std::vector<StudyQuantity> quantities;
     Place place;
     bool operator==(const StudySpec&) const = default;
+};
+
+/// How near a run should come: step and mesh are then chosen by the study.
+struct AccuracyTarget {
+    std::string quantity;     ///< as StudyQuantity::of
+    double tolerance = 0.01;  ///< relative error
+    Place place;
+    bool operator==(const AccuracyTarget&) const = default;
 };
 
 /// What a key is to the answer when nothing says it: model.step.* refine time; a last part of "mesh" or

@@ -203,6 +203,43 @@ TEST_F(StudyTest, ASlurmArrayGivesTheSameTable) {
     EXPECT_THAT(test::text_of(path("slurm/slurm.sh")), HasSubstr("#SBATCH --array=1-6\n"));
 }
 
+TEST_F(StudyTest, ARunChoosesStepAndMeshByTheStudy) {
+    const auto with = [](double tolerance) {
+        return test::small_scene + std::string(R"([[study.vary]]
+key = "model.step.courant"
+values = [0.9, 0.3]
+[[study.vary]]
+key = "scheme"
+values = ["projection", "joint"]
+[[study.quantity]]
+of = "steps"
+exact = 479
+[accuracy]
+target = { quantity = "steps", tolerance = )") +
+               std::to_string(tolerance) + " }\n";
+    };
+    write("scene.toml", with(0.01));
+    ASSERT_EQ(run({"study", "scene.toml"}).status, 0);
+    const Outcome fine = run({"run", "scene.toml", "--out", "fine", "--no-render"});
+    ASSERT_EQ(fine.status, 0) << fine.err;
+    EXPECT_THAT(fine.err, HasSubstr("2 of 2 cases are there already")) << "the study's cases count";
+    EXPECT_THAT(fine.out, HasSubstr("accuracy: step 0.3, of 2 cases"));
+    EXPECT_EQ(summary("fine")["steps"], 479);
+    EXPECT_EQ(summary("fine")["accuracy"]["chosen"], "step 0.3");
+    write("scene.toml", with(1));
+    const Outcome coarse = run({"run", "scene.toml", "--out", "coarse", "--no-render"});
+    ASSERT_EQ(coarse.status, 0) << coarse.err;
+    EXPECT_LT(summary("coarse")["steps"], 200);
+    // What is set is not chosen.
+    const Outcome set =
+        run({"run", "scene.toml", "--out", "set", "--no-render", "--set", "model.step.courant=0.5"});
+    EXPECT_THAT(set.out, Not(HasSubstr("accuracy")));
+    EXPECT_FALSE(summary("set").contains("accuracy"));
+    const Outcome none = run({"run", "scene.toml", "--out", "none", "--no-render", "--set",
+                              "model.duration=0.025", "--set", "accuracy.target.tolerance=1e-6"});
+    EXPECT_THAT(none.err, HasSubstr("none is within"));
+}
+
 TEST_F(StudyTest, WithoutSlurmItSaysSo) {
     write("scene.toml", test::small_scene + long_study);
     const std::string before = getenv("PATH");

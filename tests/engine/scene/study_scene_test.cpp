@@ -55,6 +55,20 @@ TEST(StudyScene, ReadsAStudy) {
     EXPECT_FALSE(parse_scene(small_scene, "scene.toml").study);
 }
 
+TEST(StudyScene, AccuracyNeedsSomethingToChooseFrom) {
+    const std::string target =
+        "[accuracy]\ntarget = { quantity = \"contact.hit.peak_force\", tolerance = 0.02 }\n";
+    const Scene scene = parse_scene(small_scene + study + target, "scene.toml");
+    ASSERT_TRUE(scene.accuracy);
+    EXPECT_EQ(scene.accuracy->quantity, "contact.hit.peak_force");
+    EXPECT_EQ(scene.accuracy->tolerance, 0.02);
+    EXPECT_THAT(faults_of(small_scene + target),
+                HasSubstr("no steps or meshes to choose from; add a [[study.vary]]"));
+    EXPECT_THAT(faults_of(small_scene + study + changed(target, ".hit.", ".hot.")),
+                HasSubstr("unknown contact 'hot'"));
+    EXPECT_THAT(faults_of(small_scene + study + "[accuracy]\n"), HasSubstr("lacks 'target'"));
+}
+
 TEST(StudyScene, ARunKnowsNothingOfIt) {
     EXPECT_EQ(effect_of_change(parse_scene(small_scene, "scene.toml"),
                                parse_scene(small_scene + study, "scene.toml")),
