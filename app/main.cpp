@@ -26,6 +26,7 @@ constexpr const char* examples = R"(Examples:
   percuss figures out/nail                           all figures of a run: out/nail/figures/NAME.png
   percuss figures out/rods out/half --column contact.impact.axial --out out/force.png
   percuss compare out/nail out/thin --out out/thin.png    two designs on one page
+  percuss study scenes/rods.toml                     what accuracy costs: steps, meshes, schemes on one page
   percuss view scenes/nail.toml                      a window: watch it run, turn its parameters
 
 Exit status: 0 done, 1 the run failed, 2 bad scene or bad usage, 3 a promise was broken (run --strict),
@@ -46,6 +47,8 @@ int main(int argc, char** argv) {
     add_render(app, job);
     add_figures(app, job);
     add_compare(app, job);
+    add_study(app, job);
+    add_study_case(app, job);
     add_view(app, job);
     try {
         app.parse(argc, argv);

@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -13,6 +14,25 @@ namespace percuss::app {
 std::string with_unit(const Units& units, Quantity quantity, double value) {
     const DisplayUnit unit = units.display(quantity, std::abs(value));
     return fmt::format("{:.4g}{}{}", unit.scale * value, unit.label.empty() ? "" : " ", unit.label);
+}
+
+void print_aligned(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths(rows.front().size(), 0);
+    // µ and Δ are two bytes and one letter.
+    const auto letters = [](const std::string& text) {
+        return static_cast<std::size_t>(
+            std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    };
+    for (const auto& row : rows)
+        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], letters(row[c]));
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string room(widths[c] - letters(row[c]), ' ');
+            line += c == 0 ? row[c] + room : "  " + room + row[c];
+        }
+        fmt::print("{}\n", line);
+    }
 }
 
 void print_results(const Snapshot& last, const RunStatistics& statistics) {

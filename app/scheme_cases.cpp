@@ -3,48 +3,44 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "exit_status.hpp"
 #include "interrupt.hpp"
-#include "nearest_name.hpp"
 #include "record/summary.hpp"
 #include "scene/named_schemes.hpp"
 #include "scene/parse.hpp"
 #include "session.hpp"
+#include "study/grid.hpp"
 
 namespace percuss::app {
 namespace {
 
-/// A step or value that all schemes are run with.
-struct Variant {
-    std::string label;
-    std::vector<std::string> overrides;
-};
-
-std::vector<Variant> variants_of(const SchemeGrid& grid) {
-    std::vector<Variant> variants{{}};
-    const auto multiply = [&](const std::vector<Variant>& by) {
-        if (by.empty()) return;
-        std::vector<Variant> product;
-        for (const Variant& a : variants)
-            for (const Variant& b : by) {
-                Variant both = a;
-                both.label += (a.label.empty() ? "" : ", ") + b.label;
-                both.overrides.insert(both.overrides.end(), b.overrides.begin(), b.overrides.end());
-                product.push_back(std::move(both));
-            }
-        variants = std::move(product);
+/// The grid as axes: values, steps, schemes.
+std::vector<Variation> axes_of(const SchemeGrid& grid, const Scene& scene,
+                               const std::vector<std::string>& schemes) {
+    std::vector<Variation> axes;
+    const auto add = [&](std::string key, std::vector<std::string> values) {
+        StudyAxis axis{std::move(key), std::move(values), "", AxisKind::design, {}};
+        axis.name = usual_name(axis.key);
+        axis.kind = usual_kind(axis.key);
+        if (!axis.values.empty()) axes.push_back(make_variation(axis, scene));
     };
-    std::vector<Variant> steps, values;
-    for (const double step : grid.steps)
-        steps.push_back({fmt::format("Δt {:g}", step), {fmt::format("model.step.courant={}", step)}});
-    const std::string name = grid.key.substr(grid.key.rfind('.') + 1);
-    for (const std::string& value : grid.values)
-        values.push_back({fmt::format("{} {}", name, value), {grid.key + "=" + value}});
-    multiply(values);
-    multiply(steps);
-    return variants;
+    add(grid.key, grid.values);
+    std::vector<std::string> steps;
+    for (const double step : grid.steps) steps.push_back(fmt::format("{}", step));
+    add("model.step.courant", steps);
+    add("scheme", schemes);
+    return axes;
+}
+
+/// "mesh 10, Δt 0.5"
+std::string variant_label(const std::vector<Variation>& axes, const Combination& one) {
+    std::string label;
+    for (std::size_t a = 0; a + 1 < axes.size(); ++a)
+        label += fmt::format("{}{} {}", label.empty() ? "" : ", ",
+                             axes[a].axis.key == "model.step.courant" ? "Δt" : axes[a].axis.name,
+                             axes[a].values[one.at[a]].label);
+    return label;
 }
 
 std::vector<std::string> schemes_for(const Scene& scene, const std::vector<std::string>& wanted) {
@@ -56,14 +52,7 @@ std::vector<std::string> schemes_for(const Scene& scene, const std::vector<std::
         return schemes;
     }
     for (const std::string& name : wanted) {
-        const auto found =
-            std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.name == name; });
-        if (found == choices.end())
-            throw UsageError(
-                fmt::format("--schemes: unknown scheme '{}'{}", name, suggest_name(name, scheme_names())));
-        if (!found->fault.empty())
-            throw UsageError(
-                fmt::format("--schemes: the scene cannot take the scheme '{}': {}", name, found->fault));
+        static_cast<void>(choose_scheme(choices, name, "--schemes"));
         if (std::find(schemes.begin(), schemes.end(), name) == schemes.end()) schemes.push_back(name);
     }
     return schemes;
@@ -77,19 +66,18 @@ std::vector<SchemeCase> make_cases(const std::string& file, const std::vector<st
     if (scene.contacts.empty())
         throw UsageError(fmt::format("{}: the scene has no [[contact]]; there is no scheme to choose", file));
     const std::vector<std::string> schemes = schemes_for(scene, grid.schemes);
+    const std::vector<Variation> axes = axes_of(grid, scene, schemes);
     std::vector<SchemeCase> cases;
-    for (const Variant& variant : variants_of(grid))
-        for (const std::string& scheme : schemes) {
-            std::vector<std::string> all = overrides;
-            for (const std::string& setting : scheme_overrides(*find_scheme(scheme), scene))
-                all.push_back(setting);
-            all.insert(all.end(), variant.overrides.begin(), variant.overrides.end());
-            const bool alone = schemes.size() == 1 && !variant.label.empty();
-            const std::string label = alone                   ? variant.label
-                                      : variant.label.empty() ? scheme
-                                                              : scheme + ", " + variant.label;
-            cases.push_back({load_scene(file, all), scheme, variant.label, label});
-        }
+    for (const Combination& one : combine(axes)) {
+        std::vector<std::string> all = overrides;
+        all.insert(all.end(), one.overrides.begin(), one.overrides.end());
+        const std::string variant = variant_label(axes, one),
+                          scheme = axes.back().values[one.at.back()].label;
+        const std::string label = variant.empty()       ? scheme
+                                  : schemes.size() == 1 ? variant
+                                                        : scheme + ", " + variant;
+        cases.push_back({load_scene(file, all), scheme, variant, label});
+    }
     return cases;
 }
 

@@ -1,8 +1,11 @@
 #include "image.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
+#include <vtkBase64Utilities.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkPNGReader.h>
@@ -32,6 +35,17 @@ void write_png(const Image& image, const std::filesystem::path& file) {
     if (writer->GetErrorCode() != vtkErrorCode::NoError || !std::filesystem::exists(file))
         throw RenderError(fmt::format("{}: cannot be written ({})", file.string(),
                                       vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())));
+}
+
+std::string base64_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(in),
+                                           std::istreambuf_iterator<char>()};
+    if (bytes.empty()) throw RenderError(fmt::format("{}: cannot be read", file.string()));
+    std::vector<unsigned char> text(4 * (bytes.size() / 3 + 1) + 4);
+    const auto size =
+        vtkBase64Utilities::Encode(bytes.data(), static_cast<unsigned long>(bytes.size()), text.data());
+    return {text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
 Image read_png(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace percuss::render {
@@ -20,6 +21,9 @@ struct Image {
 
 /// @throws RenderError when the file cannot be written.
 void write_png(const Image& image, const std::filesystem::path& file);
+/// A file's bytes as text, to stand inside a page: "data:image/png;base64," and this. @throws RenderError
+/// when it cannot be read.
+[[nodiscard]] std::string base64_of(const std::filesystem::path& file);
 [[nodiscard]] Image read_png(const std::filesystem::path& file);
 
 }  // namespace percuss::render

@@ -16,6 +16,8 @@ void add_info(CLI::App& app, Job& job);
 void add_render(CLI::App& app, Job& job);
 void add_figures(CLI::App& app, Job& job);
 void add_compare(CLI::App& app, Job& job);
+void add_study(CLI::App& app, Job& job);
+void add_study_case(CLI::App& app, Job& job);  ///< what add_study starts processes of
 void add_view(CLI::App& app, Job& job);
 
 }  // namespace percuss::app

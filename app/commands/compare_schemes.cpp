@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -8,8 +7,10 @@
 #include "exit_status.hpp"
 #include "image.hpp"
 #include "output.hpp"
+#include "report.hpp"
 #include "scene/parse.hpp"
 #include "scheme_cases.hpp"
+#include "study/grid.hpp"
 
 namespace percuss::app {
 namespace {
@@ -37,17 +38,6 @@ Targets targets_of(const CompareOptions& options) {
     return targets;
 }
 
-std::vector<std::string> split(const std::string& text) {
-    std::vector<std::string> parts(1);
-    for (const char c : text) {
-        if (c == ',')
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
-}
-
 /// What was asked for, and the scene's lesson where nothing was.
 SchemeGrid grid_of(const CompareOptions& options) {
     SchemeGrid grid{options.schemes, options.steps, "", {}};
@@ -56,12 +46,9 @@ SchemeGrid grid_of(const CompareOptions& options) {
             throw UsageError(fmt::format(
                 "--steps: {:g} is no fraction of the critical step; write e.g. 0.1,0.5,0.9", step));
     if (options.vary) {
-        const auto equals = options.vary->find('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == options.vary->size())
-            throw UsageError(fmt::format("--vary {}: write KEY=VALUE,VALUE, e.g. parameters.friction=0.1,0.3",
-                                         *options.vary));
-        grid.key = options.vary->substr(0, equals);
-        grid.values = split(options.vary->substr(equals + 1));
+        const StudyAxis axis = parse_axis(*options.vary, "--vary");
+        grid.key = axis.key;
+        grid.values = axis.values;
     }
     const Scene scene = load_scene(options.a, options.overrides);
     for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}\n", warning);
@@ -74,27 +61,6 @@ SchemeGrid grid_of(const CompareOptions& options) {
         for (const double value : lesson.values) grid.values.push_back(fmt::format("{}", value));
     }
     return grid;
-}
-
-void print_table(const CaseTable& table) {
-    const auto rows = table.rows();
-    std::vector<std::size_t> widths(rows.front().size(), 0);
-    // µ and Δ are two bytes and one letter.
-    const auto letters = [](const std::string& text) {
-        return static_cast<std::size_t>(
-            std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-    };
-    for (const auto& row : rows)
-        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], letters(row[c]));
-    for (const auto& row : rows) {
-        std::string line;
-        for (std::size_t c = 0; c < row.size(); ++c) {
-            const std::string room(widths[c] - letters(row[c]), ' ');
-            line += c == 0 ? row[c] + room : "  " + room + row[c];
-        }
-        fmt::print("{}\n", line);
-    }
-    for (const std::string& note : table.notes) fmt::print("{}\n", note);
 }
 
 }  // namespace
@@ -118,7 +84,8 @@ int compare_schemes(const CompareOptions& options) {
     }
     if (runs.empty()) return status;
     const CaseTable table = make_case_table(runs);
-    print_table(table);
+    print_aligned(table.rows());
+    for (const std::string& note : table.notes) fmt::print("{}\n", note);
     for (const fs::path& file : {targets.figure, targets.csv})
         if (file.has_parent_path()) fs::create_directories(file.parent_path());
     const auto context = render::make_offscreen_context();

@@ -17,6 +17,7 @@
 #include "record/summary.hpp"
 #include "report.hpp"
 #include "session.hpp"
+#include "study/accuracy.hpp"
 
 namespace percuss::app {
 namespace {
@@ -143,6 +144,19 @@ int run(const RunOptions& options) {
     if (options.no_render && options.film) throw UsageError("--film needs pictures: leave --no-render out");
     if (options.film) check_film(*options.film, options.force);
     Scene scene = load(options.scene);
+    std::optional<AccuracyChoice> accuracy;
+    if (scene.accuracy) {
+        bool interrupted = false;
+        accuracy = choose_accuracy(scene, interrupted);
+        if (interrupted) return exit_status::interrupted;
+    }
+    if (accuracy) {
+        fmt::print(accuracy->within ? stdout : stderr, "{}\n", accuracy->text);
+        SceneOptions chosen = options.scene;
+        chosen.overrides.insert(chosen.overrides.end(), accuracy->overrides.begin(),
+                                accuracy->overrides.end());
+        scene = load(chosen);
+    }
     OutputDirectory out(options.out, options.force);
     const double interval = options.frames.value_or(scene.record.frames.value_or(scene.duration / 100));
     Session session(scene, interval, options.threads);
@@ -162,7 +176,8 @@ int run(const RunOptions& options) {
     statistics.seconds.record = recorder.record_seconds;
     statistics.seconds.render = recorder.render_seconds;
     statistics.total_seconds = seconds_since(start);
-    const auto summary = make_summary(*last->setup, statistics, *session.engine().history(), *last);
+    auto summary = make_summary(*last->setup, statistics, *session.engine().history(), *last);
+    if (accuracy) summary["accuracy"] = accuracy->record;
     recorder.finish(summary.dump(2));
     write_text_file(out.summary_file(), summary.dump(2) + "\n");
 

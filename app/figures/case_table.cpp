@@ -65,9 +65,9 @@ const CaseRun* finest_like(const std::vector<CaseRun>& cases, const CaseRun& of)
 
 double against(const RecordedRun& run, const RecordedRun& finest, const std::string& quantity,
                double window) {
-    const std::vector<double> times = run.history->values("time"), fine = finest.history->values("time");
-    const TimePoints exact = force_between_midpoints(fine, finest.history->values(quantity));
-    return force_error(times, run.history->values(quantity), exact, window, run.setup->scene.duration);
+    return history_error(run.history->values("time"), run.history->values(quantity),
+                         finest.history->values("time"), finest.history->values(quantity), window,
+                         run.setup->scene.duration);
 }
 
 /// Errors of the judged history, and what they are against.

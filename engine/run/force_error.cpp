@@ -72,6 +72,12 @@ double force_error(std::span<const double> time, std::span<const double> force, 
     return std::sqrt(difference / reference);
 }
 
+double history_error(std::span<const double> time, std::span<const double> values,
+                     std::span<const double> reference_time, std::span<const double> reference, double window,
+                     double duration) {
+    return force_error(time, values, force_between_midpoints(reference_time, reference), window, duration);
+}
+
 double first_sample(std::span<const double> force, const TimePoints& exact) {
     double plateau = 0;
     for (const auto& [time, value] : exact) {

@@ -37,6 +37,11 @@ class RunningIntegral {
 [[nodiscard]] double force_error(std::span<const double> time, std::span<const double> force,
                                  const TimePoints& exact, double window, double duration);
 
+/// As force_error, against another run's history.
+[[nodiscard]] double history_error(std::span<const double> time, std::span<const double> values,
+                                   std::span<const double> reference_time, std::span<const double> reference,
+                                   double window, double duration);
+
 /// First nonzero force over the exact answer's largest value (by magnitude): how far the first instant
 /// overshoots, dtc/(2 dt) for two equal rods. 0 when the force is zero throughout.
 [[nodiscard]] double first_sample(std::span<const double> force, const TimePoints& exact);

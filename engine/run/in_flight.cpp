@@ -10,9 +10,9 @@ namespace {
 using Names = std::string_view;
 
 /// Tables and keys that are read when pictures, records and summaries are made.
-constexpr std::array beside_the_run{Names("title"),    Names("description"), Names("view"),
-                                    Names("record"),   Names("expect"),      Names("exact"),
-                                    Names("analysis"), Names("lesson")};
+constexpr std::array beside_the_run{Names("title"),  Names("description"), Names("view"),     Names("record"),
+                                    Names("expect"), Names("exact"),       Names("analysis"), Names("lesson"),
+                                    Names("study"),  Names("accuracy")};
 
 /// Keys of a figure that say how it is drawn, not what is sampled for it.
 constexpr std::array drawn{Names("title"),  Names("time"),       Names("range"),  Names("columns"),
@@ -103,6 +103,8 @@ void take_beside_the_run(Scene& to, const Scene& from) {
     to.exact = from.exact;
     to.expect = from.expect;
     to.lesson = from.lesson;
+    to.study = from.study;
+    to.accuracy = from.accuracy;
     to.file = from.file;
     to.text = from.text;
     to.overrides = from.overrides;

@@ -1,16 +1,14 @@
 #include "scene/named_schemes.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "run/in_flight.hpp"
 #include "scene/parse.hpp"
+#include "scene/readers.hpp"
 #include "scene/scheme_names.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr std::string_view each_pair = "contact.*.";
 
 /// A scheme sets all that another one may have set, so that any can follow any.
 NamedScheme scheme(const char* name, ContactScheme solver, RowScheme rows, const char* level,
@@ -66,18 +64,25 @@ const NamedScheme* find_scheme(std::string_view name) {
     return found == table.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> spell_out(const std::string& setting, const Scene& scene) {
+    const auto star = setting.find(".*.");
+    if (star == std::string::npos || star > setting.find('=')) return {setting};
+    const std::string table = setting.substr(0, star);
+    std::vector<std::string> names;
+    if (table == "body") names = names_of(scene.bodies);
+    if (table == "material") names = names_of(scene.materials);
+    if (table == "contact")
+        for (const ContactPair& pair : scene.contacts)
+            if (std::find(names.begin(), names.end(), pair.table) == names.end()) names.push_back(pair.table);
+    std::vector<std::string> settings;
+    for (const std::string& name : names) settings.push_back(table + "." + name + setting.substr(star + 2));
+    return settings;
+}
+
 std::vector<std::string> scheme_overrides(const NamedScheme& scheme, const Scene& scene) {
     std::vector<std::string> overrides;
-    for (const std::string& setting : scheme.overrides) {
-        if (!setting.starts_with(each_pair)) {
-            overrides.push_back(setting);
-            continue;
-        }
-        std::set<std::string> tables;
-        for (const ContactPair& pair : scene.contacts)
-            if (tables.insert(pair.table).second)
-                overrides.push_back("contact." + pair.table + "." + setting.substr(each_pair.size()));
-    }
+    for (const std::string& setting : scheme.overrides)
+        for (std::string& each : spell_out(setting, scene)) overrides.push_back(std::move(each));
     return overrides;
 }
 

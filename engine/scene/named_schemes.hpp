@@ -22,6 +22,10 @@ struct NamedScheme {
 /// Null when there is none of that name.
 [[nodiscard]] const NamedScheme* find_scheme(std::string_view name);
 
+/// "body.*.element=triangle" as one override for each body; likewise material.* and contact.*. Any other
+/// setting as it is; nothing when the scene has none of the kind.
+[[nodiscard]] std::vector<std::string> spell_out(const std::string& setting, const Scene& scene);
+
 /// The scheme's overrides for the pairs of this scene.
 [[nodiscard]] std::vector<std::string> scheme_overrides(const NamedScheme& scheme, const Scene& scene);
 

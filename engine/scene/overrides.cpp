@@ -83,6 +83,8 @@ class Override {
         if (joined(path) == "model.step.fixed") forget(root, "courant");
         if (joined(path) == "model.step.courant") forget(root, "fixed");
         if (joined(path) == scheme_key && last_scheme_) forget_other_schemes(root);
+        if (path.size() == 3 && path[0] == "body" && path[2] == "element")
+            forget_other_elements(root, path[1]);
     }
 
   private:
@@ -125,6 +127,16 @@ class Override {
         if (auto* pairs = root["contact"].as_array())
             for (toml::node& pair : *pairs)
                 if (auto* table = pair.as_table()) table->erase("scheme");
+    }
+
+    /// Likewise what a body says for one kind of element.
+    void forget_other_elements(toml::table& root, const std::string& body) const {
+        auto* bodies = root["body"].as_array();
+        const auto index = bodies ? element(*bodies, body) : std::nullopt;
+        auto* table = index ? bodies->get_as<toml::table>(*index) : nullptr;
+        if (!table) return;
+        if (value_.find("one-point quad") == std::string_view::npos) table->erase("hourglass");
+        if (value_.find("triangle") == std::string_view::npos) table->erase("pattern");
     }
 
     void set_in_table(toml::table& table, Path path, const std::string& title) {

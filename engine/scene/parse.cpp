@@ -55,9 +55,9 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::vec
     Parameters parameters(tree["parameters"].as_table(), faults);
     TableReader root(faults, tree, "the scene", "", &parameters);
     if (auto declared = root.table("parameters")) scene.parameters = parameters.all();
-    for (const auto read :
-         {read_header, read_model, read_materials, read_bodies, read_walls, read_contacts, read_probes,
-          read_recording, read_figures, read_view, read_analysis, read_promises, read_lesson})
+    for (const auto read : {read_header, read_model, read_materials, read_bodies, read_walls, read_contacts,
+                            read_probes, read_recording, read_figures, read_view, read_analysis,
+                            read_promises, read_lesson, read_study, read_accuracy})
         read(root, scene);
     root.finish();
     faults.throw_if_any();

@@ -20,6 +20,8 @@ void read_view(TableReader& root, Scene& scene);       ///< [view]
 void read_analysis(TableReader& root, Scene& scene);   ///< [analysis]
 void read_promises(TableReader& root, Scene& scene);   ///< [[exact]], [expect]
 void read_lesson(TableReader& root, Scene& scene);     ///< [lesson]
+void read_study(TableReader& root, Scene& scene);      ///< [study]
+void read_accuracy(TableReader& root, Scene& scene);   ///< [accuracy], after [study]
 
 // Part of [[material]].
 /// @pre name and elastic constants of `material` are read.

@@ -14,6 +14,7 @@
 #include "scene/formula.hpp"
 #include "scene/lesson.hpp"
 #include "scene/place.hpp"
+#include "scene/study_spec.hpp"
 #include "units.hpp"
 
 /// The typed scene: what a scene file says, checked, with defaults filled in. All numbers are in scene units.
@@ -362,6 +363,8 @@ struct Scene {
     std::vector<ExactHistory> exact;
     std::vector<Expectation> expect;
     std::optional<Lesson> lesson;
+    std::optional<StudySpec> study;
+    std::optional<AccuracyTarget> accuracy;
 
     std::string file;                    ///< path as given, for messages
     std::string text;                    ///< the file's text, as read

@@ -8,10 +8,10 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include "vtk_canvas.hpp"
 #include "context/render_window.hpp"
 #include "figures/panels.hpp"
 #include "figures/plot.hpp"
+#include "vtk_canvas.hpp"
 
 namespace percuss::render {
 namespace {
@@ -80,6 +80,10 @@ Image draw_page(Context& context, const Page& page) {
                 },
                 [&](const Table& table) {
                     paint_on(scene, [&table, rect, scale](Canvas& c) { paint_table(c, table, rect, scale); });
+                },
+                [&](const Scatter& scatter) {
+                    paint_on(scene,
+                             [&scatter, rect, scale](Canvas& c) { paint_scatter(c, scatter, rect, scale); });
                 },
                 [&](const MeshPicture& picture) {
                     meshes.push_back(

@@ -64,7 +64,27 @@ struct Table {
     std::vector<std::vector<std::string>> rows;  ///< first column to the left, others to the right
 };
 
-using Panel = std::variant<Chart, HeatMap, StackedAreas, Bars, MeshPicture, Table>;
+/// Points in logarithmic axes: prices and errors, sizes and errors.
+struct Scatter {
+    struct Series {
+        std::string label;         ///< for the legend
+        std::vector<double> x, y;  ///< those that are not positive are left out
+        std::size_t colour = 0;    ///< index into the palette of curves
+        bool joined = false;       ///< by a line, in their order
+    };
+    struct Note {
+        double x = 0, y = 0;  ///< the point that it is about
+        std::string text;
+    };
+    std::string title, x_title, y_title;
+    std::vector<Series> series;
+    std::vector<double> front_x, front_y;  ///< a line of steps behind the points: nothing lies below it
+    std::vector<Note> notes;
+    std::optional<double> limit;  ///< a level line, with `limit_label`
+    std::string limit_label;
+};
+
+using Panel = std::variant<Chart, HeatMap, StackedAreas, Bars, MeshPicture, Table, Scatter>;
 
 /// Panels on one sheet of paper.
 struct Page {

@@ -16,6 +16,7 @@ namespace percuss::render {
 void paint_heat_map(Canvas& canvas, const HeatMap& map, const Rect& rect, double scale);
 void paint_areas(Canvas& canvas, const StackedAreas& areas, const Rect& rect, double scale);
 void paint_bars(Canvas& canvas, const Bars& bars, const Rect& rect, double scale);
+void paint_scatter(Canvas& canvas, const Scatter& scatter, const Rect& rect, double scale);
 void paint_table(Canvas& canvas, const Table& table, const Rect& rect, double scale);
 
 /// The mesh of a MeshPicture: its own renderer, clipped to its part of the page, and ink around it.

@@ -47,6 +47,24 @@ Ticks make_ticks(double low, double high, int wanted) {
     return ticks;
 }
 
+Ticks make_log_ticks(double low, double high, int wanted) {
+    const double decades = std::log10(high / low);
+    const int each = std::max(1, static_cast<int>(std::ceil(decades / std::max(wanted, 1))));
+    Ticks ticks;
+    const bool dense = 3 * decades <= wanted;
+    const int first = static_cast<int>(std::floor(std::log10(low))),
+              last = static_cast<int>(std::ceil(std::log10(high)));
+    for (int power = first; power <= last; power += dense ? 1 : each)
+        for (const double digit : {1.0, 2.0, 5.0}) {
+            if (digit > 1 && !dense) break;
+            const double value = digit * std::pow(10.0, power);
+            if (value < low * (1 - 1e-9) || value > high * (1 + 1e-9)) continue;
+            ticks.values.push_back(value);
+            ticks.labels.push_back(format_number(value));
+        }
+    return ticks;
+}
+
 std::string format_number(double value, int digits) {
     return with_true_minus(fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits));
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "figures/ticks.hpp"
 #include "render/synthetic.hpp"
 #include "view/view.hpp"
 
@@ -49,6 +50,30 @@ TEST(Page, AHeatMapHasItsValuesWhereTheyBelong) {
     EXPECT_EQ(count_pixels(image, {100, 40, 350, 200}, blue), 0);
     EXPECT_EQ(count_pixels(image, {400, 250, 640, 420}, red), 0);
     EXPECT_GT(count_pixels(image, {660, 10, 720, 440}, red), 200);  // of the colour bar
+}
+
+TEST(Page, AScatterHasItsPointsWhereTheyBelong) {
+    const auto context = make_offscreen_context();
+    Scatter scatter;
+    scatter.x_title = "price";
+    scatter.y_title = "error";
+    // The second colour of the palette at the lower left, the first at the upper right.
+    scatter.series = {{"", {100, -1}, {10, 1}, 0}, {"", {1, 0}, {0.1, 1}, 1}};
+    scatter.notes = {{100, 10, "far"}};
+    const Image image = draw_page(*context, page_of(scatter));
+    const auto first = [](int r, int g, int b) { return r < 60 && std::abs(g - 0x72) < 40 && b > 140; };
+    const auto second = [](int r, int g, int b) { return r > 170 && std::abs(g - 0x5e) < 40 && b < 60; };
+    EXPECT_GT(count_pixels(image, {500, 0, 800, 200}, first), 30);
+    EXPECT_GT(count_pixels(image, {80, 300, 300, 460}, second), 30);
+    EXPECT_EQ(count_pixels(image, {80, 200, 450, 460}, first), 0);
+    EXPECT_EQ(count_pixels(image, {450, 0, 800, 460}, second), 0);
+}
+
+TEST(Page, LogarithmicTicksAreRound) {
+    EXPECT_EQ(make_log_ticks(0.5, 30, 10).labels,
+              (std::vector<std::string>{"0.5", "1", "2", "5", "10", "20"}));
+    EXPECT_EQ(make_log_ticks(1e-4, 1e4, 5).labels,
+              (std::vector<std::string>{"0.0001", "0.01", "1", "100", "1e+04"}));
 }
 
 TEST(Page, StackedAreasFillTheirShare) {
