@@ -140,8 +140,9 @@ std::string study_page(const Study& study, const std::vector<CaseResult>& result
         html += "<li>" + escaped(sentence) + "</li>\n";
     html += "</ul>\n<h2>The cheapest setting that is accurate enough</h2>\n";
     const std::size_t left = evaluation.designs.size() > 1 ? 2 : 1;
-    html += table(cheapest_rows(study, results, evaluation), left,
-                  [&](std::size_t, std::size_t c) { return c == left + 2 || c == left + 4 ? "text" : ""; });
+    html += table(cheapest_rows(study, results, evaluation), left, [&](std::size_t, std::size_t c) {
+        return c == left + 1 || c == left + 2 || c == left + 4 ? "text" : "";
+    });
     for (std::size_t f = 0; f < figures.size(); ++f)
         html += fmt::format(
             "<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",

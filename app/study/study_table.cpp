@@ -18,9 +18,11 @@ std::string number(const std::optional<double>& value, const char* format = "{:.
     return value ? fmt::format(fmt::runtime(format), *value) : "";
 }
 
-std::string uncertainty_text(const Reference& reference) {
+std::string uncertainty_text(const Reference& reference, double tolerance) {
     if (reference.exact) return "";
-    return std::isfinite(reference.uncertainty) ? "± " + percent(reference.uncertainty) : "unknown";
+    if (!std::isfinite(reference.uncertainty)) return "unknown";
+    return "± " + percent(reference.uncertainty) +
+           (reference.uncertainty > tolerance ? ", above the tolerance" : "");
 }
 
 }  // namespace
@@ -129,9 +131,10 @@ Rows cheapest_rows(const Study& study, const std::vector<CaseResult>& results, c
     for (const Design& design : evaluation.designs)
         for (std::size_t q = 0; q < study.quantities.size(); ++q) {
             const Reference& reference = design.references[q];
-            std::vector<std::string> row{
-                study.quantities[q].name, reference.value ? fmt::format("{:.5g}", *reference.value) : "",
-                uncertainty_text(reference), reference.how, percent(study.quantities[q].tolerance)};
+            std::vector<std::string> row{study.quantities[q].name,
+                                         reference.value ? fmt::format("{:.5g}", *reference.value) : "",
+                                         uncertainty_text(reference, study.quantities[q].tolerance),
+                                         reference.how, percent(study.quantities[q].tolerance)};
             if (const auto& best = design.cheapest[q]) {
                 row.push_back(study.cases[*best].label);
                 row.push_back(percent(*evaluation.errors[*best][q]));

@@ -62,7 +62,7 @@ Ticks make_log_ticks(double low, double high, int wanted) {
             ticks.values.push_back(value);
             ticks.labels.push_back(format_number(value));
         }
-    return ticks;
+    return ticks.values.size() < 3 ? make_ticks(low, high, std::min(wanted, 4)) : ticks;
 }
 
 std::string format_number(double value, int digits) {

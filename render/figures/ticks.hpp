@@ -14,7 +14,8 @@ struct Ticks {
 /// About `wanted` ticks inside [low, high]; one tick when the range is empty.
 [[nodiscard]] Ticks make_ticks(double low, double high, int wanted);
 
-/// Ticks of a logarithmic axis, 0 < low < high: powers of ten, with 2 and 5 times those where they are few.
+/// Ticks of a logarithmic axis, 0 < low < high: powers of ten, with 2 and 5 times those where they are few;
+/// those of make_ticks where these are fewer than three.
 [[nodiscard]] Ticks make_log_ticks(double low, double high, int wanted);
 
 /// `value` with `digits` significant digits, without needless zeros: 38.2, 0.5, 1.2e-9.

@@ -72,6 +72,8 @@ TEST(Page, AScatterHasItsPointsWhereTheyBelong) {
 TEST(Page, LogarithmicTicksAreRound) {
     EXPECT_EQ(make_log_ticks(0.5, 30, 10).labels,
               (std::vector<std::string>{"0.5", "1", "2", "5", "10", "20"}));
+    EXPECT_EQ(make_log_ticks(0.17, 0.37, 10).labels,
+              (std::vector<std::string>{"0.20", "0.25", "0.30", "0.35"}));
     EXPECT_EQ(make_log_ticks(1e-4, 1e4, 5).labels,
               (std::vector<std::string>{"0.0001", "0.01", "1", "100", "1e+04"}));
 }
