@@ -61,7 +61,8 @@ class Recorder {
     }
 
     void add(const Snapshot& frame) {
-        if (frame.step == last_step_) return;  // the end may fall on a multiple of the interval
+        // The end may fall on a multiple of the interval; that of a diverged run says why all the same.
+        if (frame.step == last_step_ && frame.status != RunStatus::diverged) return;
         last_step_ = frame.step;
         {
             const Stopwatch watch(record_seconds);
